@@ -1,0 +1,196 @@
+//! The signed clearance of two bodies, exact on arcs and lines, with its witness.
+//!
+//! With σ_X(p) the signed distance of p from the outline of X (negative inside X), the clearance of A and B is
+//!
+//!   c = min( min over p on the outline of A of σ_B(p),  min over q on the outline of B of σ_A(q) ).
+//!
+//! Apart, c is the distance; overlapping, minus the greatest depth of either outline inside the other body. It is
+//! symmetric, continuous, and changes by no more than the outlines move.
+
+use std::ops::Range;
+
+use crate::depth::{self, Deepest};
+use crate::intersection;
+use crate::nearest::Place;
+use crate::outline::Outline;
+use crate::point::Point;
+use crate::separation::{Separation, separation};
+
+/// What touches what.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ContactKind {
+    /// Two smooth pieces on a common normal.
+    Smooth,
+    /// A corner of the first body on a smooth piece of the second.
+    FirstCorner,
+    /// A corner of the second body on a smooth piece of the first.
+    SecondCorner,
+    CornerOnCorner,
+    /// An outline crosses the bisector of the other body: two pieces are equally near.
+    Bisector,
+}
+
+impl ContactKind {
+    const fn of(first_corner: bool, second_corner: bool) -> Self {
+        match (first_corner, second_corner) {
+            (false, false) => Self::Smooth,
+            (true, false) => Self::FirstCorner,
+            (false, true) => Self::SecondCorner,
+            (true, true) => Self::CornerOnCorner,
+        }
+    }
+}
+
+/// One side of a witness.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Contact {
+    pub point: Point,
+    /// Index of the piece in its outline.
+    pub segment: usize,
+    /// Arc length on that piece.
+    pub u: f64,
+}
+
+/// Signed clearance (mm, > 0 a gap, < 0 a depth) and where it is found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Clearance {
+    pub gap: f64,
+    pub first: Contact,
+    pub second: Contact,
+    /// Unit normal, from the first body outward: moving the first body along it closes a gap.
+    pub normal: Point,
+    pub kind: ContactKind,
+}
+
+/// Clearance of two bodies given in one frame, over the given pieces of their outlines; distances count to the whole
+/// bodies.
+pub fn clearance(
+    first: &Outline,
+    first_pieces: Range<usize>,
+    second: &Outline,
+    second_pieces: Range<usize>,
+) -> Clearance {
+    let everything = 0..first.segments().len();
+    let mut apart = Apart { best: None, crossing: None };
+    apart.pairs(first, first_pieces.clone(), second, 0..second.segments().len());
+    apart.pairs(first, everything, second, second_pieces.clone());
+    let touching = match (apart.crossing, apart.best) {
+        (None, Some(pair)) => {
+            // Without a crossing each outline is wholly on one side of the other.
+            let outside = second.signed_distance(first.segments()[first_pieces.start].start()).value >= 0.0
+                && first.signed_distance(second.segments()[second_pieces.start].start()).value >= 0.0;
+            let witness = apart_witness(first, second, &pair);
+            if outside {
+                return witness;
+            }
+            Clearance { gap: 0.0, ..witness }
+        }
+        (Some((i, j, p)), _) => crossing_witness(first, i, second, j, p),
+        (None, None) => unreachable!("an outline has pieces"),
+    };
+
+    let into_second = depth::deepest(first, first_pieces, second, 0.0);
+    let best = into_second.map_or(0.0, |deep| deep.nearest.value);
+    if let Some(deep) = depth::deepest(second, second_pieces, first, best) {
+        let swapped = deep_witness(second, first, &deep);
+        return Clearance {
+            first: swapped.second,
+            second: swapped.first,
+            normal: -swapped.normal,
+            kind: match swapped.kind {
+                ContactKind::FirstCorner => ContactKind::SecondCorner,
+                ContactKind::SecondCorner => ContactKind::FirstCorner,
+                kind => kind,
+            },
+            ..swapped
+        };
+    }
+    into_second.map_or(touching, |deep| deep_witness(first, second, &deep))
+}
+
+/// The closest pair of pieces so far, or a crossing.
+struct Apart {
+    best: Option<(usize, usize, Separation)>,
+    crossing: Option<(usize, usize, Point)>,
+}
+
+impl Apart {
+    fn pairs(&mut self, first: &Outline, first_pieces: Range<usize>, second: &Outline, second_pieces: Range<usize>) {
+        for i in first_pieces {
+            for j in second_pieces.clone() {
+                if self.crossing.is_some() {
+                    return;
+                }
+                let limit = self.best.map_or(f64::INFINITY, |(_, _, found)| found.distance);
+                let bound = first.bound_between(i, second, j);
+                if bound > limit {
+                    continue;
+                }
+                let (a, b) = (&first.segments()[i], &second.segments()[j]);
+                if bound <= 0.0 {
+                    self.crossing = intersection::crossings(a, b).iter().next().map(|p| (i, j, p));
+                }
+                let found = separation(a, b);
+                if found.distance < limit {
+                    self.best = Some((i, j, found));
+                }
+            }
+        }
+    }
+}
+
+fn apart_witness(first: &Outline, second: &Outline, &(i, j, found): &(usize, usize, Separation)) -> Clearance {
+    let first_contact = Contact { point: found.a, segment: i, u: arc_length(first, i, found.place_a, found.a) };
+    let second_contact = Contact { point: found.b, segment: j, u: arc_length(second, j, found.place_b, found.b) };
+    let normal = if found.place_b == Place::Interior {
+        -second.segments()[j].normal(second_contact.u)
+    } else if found.place_a == Place::Interior {
+        first.segments()[i].normal(first_contact.u)
+    } else {
+        (found.b - found.a).unit().unwrap_or_else(|| first.segments()[i].normal(first_contact.u))
+    };
+    let kind = ContactKind::of(first.is_corner(i, found.place_a), second.is_corner(j, found.place_b));
+    Clearance { gap: found.distance, first: first_contact, second: second_contact, normal, kind }
+}
+
+fn arc_length(outline: &Outline, segment: usize, place: Place, p: Point) -> f64 {
+    let piece = &outline.segments()[segment];
+    match place {
+        Place::Start => 0.0,
+        Place::Interior => piece.foot(p),
+        Place::End => piece.length(),
+    }
+}
+
+/// Outlines that cross without any depth: they touch.
+fn crossing_witness(first: &Outline, i: usize, second: &Outline, j: usize, p: Point) -> Clearance {
+    let contact =
+        |outline: &Outline, segment: usize| Contact { point: p, segment, u: outline.segments()[segment].foot(p) };
+    let second_contact = contact(second, j);
+    let normal = -second.segments()[j].normal(second_contact.u);
+    Clearance { gap: 0.0, first: contact(first, i), second: second_contact, normal, kind: ContactKind::Smooth }
+}
+
+fn deep_witness(first: &Outline, second: &Outline, deep: &Deepest) -> Clearance {
+    let nearest = &deep.nearest;
+    let u = second.foot(deep.point, nearest);
+    let piece = &second.segments()[nearest.segment];
+    let foot = piece.point(u);
+    let normal = if nearest.place == Place::Interior {
+        -piece.normal(u)
+    } else {
+        (deep.point - foot).unit().unwrap_or_else(|| -piece.normal(u))
+    };
+    let kind = if deep.on_bisector {
+        ContactKind::Bisector
+    } else {
+        ContactKind::of(first.is_corner(deep.segment, deep.place), second.is_corner(nearest.segment, nearest.place))
+    };
+    Clearance {
+        gap: nearest.value,
+        first: Contact { point: deep.point, segment: deep.segment, u: deep.u },
+        second: Contact { point: foot, segment: nearest.segment, u },
+        normal,
+        kind,
+    }
+}

@@ -1,0 +1,145 @@
+//! How deep a piece of one outline lies inside another body.
+//!
+//! Inside a body the signed distance is −minᵢ dᵢ over the body's pieces i. Along one piece of the other outline every
+//! dᵢ is monotone between the places where it is stationary or zero, and these are known in closed form. Between two
+//! neighbouring such places min dᵢ rises to at most one summit, where the nearest piece changes: a point of the body's
+//! bisector, found by bisection on whether the depth still grows.
+
+use std::ops::Range;
+
+use crate::intersection;
+use crate::nearest::Place;
+use crate::outline::{Outline, SignedDistance};
+use crate::point::Point;
+use crate::segment::Segment;
+
+/// Depths that differ by less than this (mm) are not told apart.
+const RESOLUTION: f64 = 1e-13;
+
+/// The deepest point found on an outline.
+#[derive(Clone, Copy, Debug)]
+pub struct Deepest {
+    pub segment: usize,
+    pub u: f64,
+    pub place: Place,
+    pub point: Point,
+    pub nearest: SignedDistance,
+    /// Whether the nearest piece changes here.
+    pub on_bisector: bool,
+}
+
+/// The point on the given pieces of `outline` deepest inside `body`, if any is deeper than `best` (a signed distance).
+pub fn deepest(outline: &Outline, pieces: Range<usize>, body: &Outline, best: f64) -> Option<Deepest> {
+    let mut search = Search { outline, body, best, found: None };
+    for segment in pieces.clone() {
+        search.score(segment, 0.0, false);
+    }
+    search.score(pieces.end - 1, outline.segments()[pieces.end - 1].length(), false);
+    for segment in pieces {
+        search.piece(segment);
+    }
+    search.found
+}
+
+struct Search<'a> {
+    outline: &'a Outline,
+    body: &'a Outline,
+    best: f64,
+    found: Option<Deepest>,
+}
+
+impl Search<'_> {
+    fn score(&mut self, segment: usize, u: f64, on_bisector: bool) -> f64 {
+        let piece = &self.outline.segments()[segment];
+        let point = piece.point(u);
+        let nearest = self.body.signed_distance(point);
+        if nearest.value < self.best {
+            let place = match u {
+                _ if u <= 0.0 => Place::Start,
+                _ if u >= piece.length() => Place::End,
+                _ => Place::Interior,
+            };
+            self.best = nearest.value;
+            self.found = Some(Deepest { segment, u, place, point, nearest, on_bisector });
+        }
+        nearest.value
+    }
+
+    /// Whether an interval of this width about a point at this signed distance cannot hold anything deeper: a signed
+    /// distance changes by no more than the way gone.
+    fn hopeless(&self, signed_distance: f64, width: f64) -> bool {
+        signed_distance - 0.5 * width >= self.best - RESOLUTION
+    }
+
+    fn piece(&mut self, segment: usize) {
+        let piece = self.outline.segments()[segment];
+        let length = piece.length();
+        let middle = piece.point(0.5 * length);
+        let at_middle = self.body.signed_distance(middle).value;
+        if self.hopeless(at_middle, length) {
+            return;
+        }
+        let mut stops = vec![0.0, length];
+        for other in self.body.segments() {
+            // Farther pieces are nowhere the nearest one.
+            if other.nearest(middle).distance.abs() <= at_middle.abs() + length {
+                add_stops(&mut stops, &piece, other);
+            }
+        }
+        stops.retain(|u| (0.0..=length).contains(u));
+        stops.sort_unstable_by(f64::total_cmp);
+        for &u in &stops {
+            self.score(segment, u, false);
+        }
+        for pair in stops.windows(2) {
+            self.summit(segment, pair[0], pair[1]);
+        }
+    }
+
+    /// Bisection for the summit of the depth between two stops.
+    fn summit(&mut self, segment: usize, mut low: f64, mut high: f64) {
+        let piece = self.outline.segments()[segment];
+        loop {
+            let middle = 0.5 * (low + high);
+            if middle <= low || middle >= high {
+                return;
+            }
+            let p = piece.point(middle);
+            let nearest = self.body.signed_distance(p);
+            if nearest.value >= 0.0 || self.hopeless(nearest.value, high - low) {
+                return;
+            }
+            self.score(segment, middle, true);
+            let foot = self.body.segments()[nearest.segment].point(self.body.foot(p, &nearest));
+            if piece.tangent(middle).dot(p - foot) > 0.0 {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+    }
+}
+
+/// The arc lengths on the carrier of `piece` at which its distance from `other` may be stationary or zero.
+fn add_stops(stops: &mut Vec<f64>, piece: &Segment, other: &Segment) {
+    for p in intersection::crossings(piece, other).iter() {
+        stops.push(piece.foot(p));
+    }
+    add_feet(stops, piece, other.start());
+    add_feet(stops, piece, other.end());
+    match (piece, other) {
+        (_, Segment::Arc(arc)) => add_feet(stops, piece, arc.center),
+        (Segment::Arc(arc), Segment::Line(line)) => {
+            stops.extend([line.normal, -line.normal].map(|direction| arc.at_direction(direction)));
+        }
+        (Segment::Line(_), Segment::Line(_)) => {}
+    }
+}
+
+/// The arc lengths at which the distance from `p` is least or greatest.
+fn add_feet(stops: &mut Vec<f64>, piece: &Segment, p: Point) {
+    match piece {
+        Segment::Line(line) => stops.push(line.foot(p)),
+        Segment::Arc(arc) => stops.extend([p - arc.center, arc.center - p].map(|d| arc.at_direction(d))),
+    }
+}

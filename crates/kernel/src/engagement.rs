@@ -1,0 +1,213 @@
+//! A flexspline tooth on the deformed neutral curve against the circular spline.
+
+use std::f64::consts::PI;
+use std::ops::Range;
+
+use crate::clearance::{Clearance, clearance};
+use crate::error::GeometryError;
+use crate::kinematics::{MotionBounds, ToothMotion};
+use crate::neutral_curve::NeutralCurve;
+use crate::outline::Outline;
+use crate::point::Point;
+use crate::pose::Pose;
+use crate::profile::{Profile, Role};
+use crate::segment::Segment;
+
+/// Something for each flank of a flexspline tooth; right is the half x > 0 of the tooth, its clockwise side.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FlankPair<T> {
+    pub left: T,
+    pub right: T,
+}
+
+/// Which flank of a flexspline tooth.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Flank {
+    Left,
+    Right,
+}
+
+/// Both splines and the neutral curve between them.
+///
+/// The tooth of index k sits at arc length k · perimeter / z_f. With equal arc length it meets one relative pose for
+/// each real k whatever the wave generator's angle θ: tooth i has k = i − θ z_c / 2π.
+#[derive(Clone, Debug)]
+pub struct Engagement {
+    flexspline: Profile,
+    circular_spline: Profile,
+    curve: NeutralCurve,
+    tooth: Outline,
+    tooth_pieces: [Range<usize>; 2],
+    space: Outline,
+    space_pieces: [Range<usize>; 2],
+    motion: ToothMotion,
+    bounds: MotionBounds,
+}
+
+/// A flexspline tooth in the frame of the space in which it stands.
+#[derive(Clone, Copy, Debug)]
+pub struct RelativePose {
+    /// Pose of the tooth frame in the space's frame.
+    pub tooth: Pose,
+    /// Pose of the space's frame in the global frame at generator angle 0.
+    pub space: Pose,
+}
+
+impl Engagement {
+    /// # Errors
+    /// [`GeometryError::TeethDoNotMesh`] unless the circular spline has an even number of teeth more than the flexspline:
+    /// two lobes mesh at once.
+    pub fn new(flexspline: Profile, circular_spline: Profile, curve: NeutralCurve) -> Result<Self, GeometryError> {
+        let (z_f, z_c) = (flexspline.gear.teeth, circular_spline.gear.teeth);
+        if z_c <= z_f || (z_c - z_f) % 2 != 0 {
+            return Err(GeometryError::TeethDoNotMesh { flexspline: z_f, circular_spline: z_c });
+        }
+        let (tooth, tooth_pieces) = Outline::flexspline_tooth(&flexspline);
+        let (space, space_pieces) = Outline::circular_spline_space(&circular_spline);
+        let convex = |profile: &Profile| least_convex_radius(profile);
+        let motion = ToothMotion {
+            height: flexspline.gear.pitch_radius - curve.radius(),
+            reach: tooth.reach(tooth_pieces[0].start..tooth_pieces[1].end),
+            least_convex_radius: convex(&flexspline).min(convex(&circular_spline)),
+            ..ToothMotion::new(curve.perimeter(), z_f, z_c)
+        };
+        let bounds = motion.bounds(&curve);
+        Ok(Self { flexspline, circular_spline, curve, tooth, tooth_pieces, space, space_pieces, motion, bounds })
+    }
+
+    pub const fn flexspline(&self) -> &Profile {
+        &self.flexspline
+    }
+
+    pub const fn circular_spline(&self) -> &Profile {
+        &self.circular_spline
+    }
+
+    pub const fn curve(&self) -> &NeutralCurve {
+        &self.curve
+    }
+
+    pub const fn motion(&self) -> &ToothMotion {
+        &self.motion
+    }
+
+    pub const fn bounds(&self) -> &MotionBounds {
+        &self.bounds
+    }
+
+    /// One tooth of the flexspline with its rim, in its own frame.
+    pub const fn tooth(&self) -> &Outline {
+        &self.tooth
+    }
+
+    /// The circular spline around one of its spaces, in that space's frame.
+    pub const fn space(&self) -> &Outline {
+        &self.space
+    }
+
+    /// Index of the last distinct tooth position: the gap curve is even about 0 and about this index.
+    pub fn quarter(&self) -> f64 {
+        f64::from(self.flexspline.gear.teeth) / 4.0
+    }
+
+    /// Pose of the flexspline tooth frame of index `k` with the wave generator's major axis along +Y.
+    fn tooth_pose(&self, k: f64) -> Pose {
+        let point = self.curve.at_arc_length(k * self.motion.pitch);
+        Pose::with_y_axis(point.position + point.normal * self.motion.height, point.normal)
+    }
+
+    /// Pose of flexspline tooth `tooth` (a whole number, or any real one) in the global frame, the circular spline
+    /// fixed and the wave generator at `generator_angle`.
+    pub fn flexspline_pose(&self, tooth: f64, generator_angle: f64) -> Pose {
+        let index = tooth - generator_angle / self.motion.space_angle;
+        Pose::rotation(generator_angle).after(&self.tooth_pose(index))
+    }
+
+    /// Pose of the circular-spline tooth clockwise of space `space` in the global frame.
+    pub fn circular_spline_pose(&self, space: f64) -> Pose {
+        let axis = Point::at_angle((space + 0.5) * self.motion.space_angle);
+        Pose::with_y_axis(axis * self.circular_spline.gear.pitch_radius, -axis)
+    }
+
+    /// The tooth of index `k` in the nearest space.
+    ///
+    /// With a difference of two teeth this is space k throughout; with more, teeth pass into the next spaces.
+    pub fn relative_pose(&self, k: f64) -> RelativePose {
+        let gamma = self.motion.space_angle;
+        let tooth = Pose::rotation(-k * gamma).after(&self.tooth_pose(k));
+        let passed = (tooth.origin.angle() / gamma).round();
+        let pitch_point = Point::new(0.0, self.circular_spline.gear.pitch_radius);
+        let space = Pose::rotation((k + passed) * gamma);
+        RelativePose {
+            tooth: Pose::rotation(-passed * gamma).after(&tooth).shifted(-pitch_point),
+            space: space.shifted(space.vector(pitch_point)),
+        }
+    }
+
+    /// Signed clearance of both flanks of a tooth at a pose in the frame of its space.
+    pub fn clearances(&self, tooth: &Pose) -> FlankPair<Clearance> {
+        let tooth = self.tooth.posed(tooth);
+        FlankPair { left: self.flank(&tooth, Flank::Left), right: self.flank(&tooth, Flank::Right) }
+    }
+
+    /// Signed clearance of one flank of a tooth whose outline is given in the frame of its space.
+    pub(crate) fn flank(&self, tooth: &Outline, flank: Flank) -> Clearance {
+        let pieces = flank as usize;
+        clearance(tooth, self.tooth_pieces[pieces].clone(), &self.space, self.space_pieces[pieces].clone())
+    }
+
+    pub(crate) fn tooth_pieces(&self, flank: Flank) -> Range<usize> {
+        self.tooth_pieces[flank as usize].clone()
+    }
+
+    pub(crate) fn space_pieces(&self, flank: Flank) -> Range<usize> {
+        self.space_pieces[flank as usize].clone()
+    }
+
+    /// Centre of the circular spline in the frame of a space.
+    pub(crate) fn center(&self) -> Point {
+        Point::new(0.0, -self.circular_spline.gear.pitch_radius)
+    }
+
+    /// Radial clearances of the tooth of index `k`: its tip land under the circular spline's root circle, and the
+    /// circular spline's addendum circle over its root floor.
+    pub fn radial_clearances(&self, k: f64) -> (f64, f64) {
+        let pose = self.tooth_pose(k);
+        let outermost = |role: Role| {
+            let pieces = self.flexspline.segments().iter().zip(self.flexspline.roles());
+            pieces
+                .filter(|(_, r)| **r == role)
+                .flat_map(|(segment, _)| [*segment, segment.mirrored()])
+                .map(|segment| greatest_radius(&segment.posed(&pose)))
+                .fold(0.0, f64::max)
+        };
+        let gear = &self.circular_spline.gear;
+        (
+            gear.signed_root_radius().abs() - outermost(Role::TipLand),
+            gear.signed_tip_radius().abs() - outermost(Role::RootFloor),
+        )
+    }
+
+    /// Half a pitch of the circular spline (rad): the farthest turn in which circumferential backlash is sought.
+    pub(crate) fn half_pitch(&self) -> f64 {
+        PI / f64::from(self.circular_spline.gear.teeth)
+    }
+}
+
+/// Smallest radius of a convex arc of a flank; land and floor have the gear's centre and are bounded on their own.
+fn least_convex_radius(profile: &Profile) -> f64 {
+    let flanks = profile.segments().iter().zip(profile.roles()).filter(|(_, role)| **role == Role::Flank);
+    flanks
+        .map(|(segment, _)| segment.curvature())
+        .filter(|&c| c > 0.0)
+        .fold(f64::INFINITY, |least, c| least.min(1.0 / c))
+}
+
+/// Greatest distance of a piece's points from the origin.
+fn greatest_radius(segment: &Segment) -> f64 {
+    let ends = segment.start().norm().max(segment.end().norm());
+    match segment {
+        Segment::Arc(arc) if arc.faces(arc.center) => ends.max(arc.center.norm() + arc.radius.abs()),
+        _ => ends,
+    }
+}

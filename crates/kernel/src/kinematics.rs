@@ -1,0 +1,102 @@
+//! How fast a tooth moves against its space, per tooth index.
+
+use std::f64::consts::PI;
+
+use crate::neutral_curve::NeutralCurve;
+use crate::point::Point;
+
+/// Bounds are sampled along the curve; between samples smooth quantities change by far less than this share.
+const INFLATION: f64 = 1.02;
+
+/// The tooth of index k in a frame that turns with space k, for all k.
+#[derive(Clone, Copy, Debug)]
+pub struct ToothMotion {
+    /// Arc length of the neutral curve per tooth (mm).
+    pub pitch: f64,
+    /// Angle of the circular spline per tooth (rad).
+    pub space_angle: f64,
+    /// Height of the tooth frame's origin, the flexspline's pitch circle, above the neutral curve (mm).
+    pub height: f64,
+    /// Farthest point, from that origin, that may touch something (mm).
+    pub reach: f64,
+    /// Smallest radius of a convex arc of either flank (mm), or infinity.
+    pub least_convex_radius: f64,
+}
+
+/// How the gap of one tooth may change with its index.
+#[derive(Clone, Copy, Debug)]
+pub struct MotionBounds {
+    /// No outline point moves faster than this (mm per index), so neither does the gap.
+    pub slope: f64,
+    /// The tooth turns against its space by no more than this (rad per index).
+    pub turning: f64,
+    /// The second derivative of the gap is at most this (mm per index²) while the witness is smooth: the foot of a
+    /// common normal, or a corner on a smooth piece.
+    pub curvature: f64,
+}
+
+impl ToothMotion {
+    /// Bounds over the whole curve.
+    ///
+    /// With o the tooth's origin, n and t normal and tangent of the neutral curve, κ its curvature, h the pitch, γ the
+    /// space angle and J a clockwise quarter turn: o′ = h (1 + height κ) t, the frame turns with γ, the tooth with hκ, so
+    /// the origin moves by o′ − γ J o and every other point by at most |hκ − γ| · reach more. Twice differentiated,
+    /// o″ − 2γ J o′ − γ² o. A point sliding over an arc of radius ρ adds speed²/ρ.
+    pub fn bounds(&self, curve: &NeutralCurve) -> MotionBounds {
+        let stations: Vec<_> = curve.stations().collect();
+        let mut slope: f64 = 0.0;
+        let mut fastest_turning: f64 = 0.0;
+        let mut acceleration: f64 = 0.0;
+        for pair in stations.windows(2) {
+            let step = (pair[1].position - pair[0].position).norm();
+            let curvature_rate = (pair[1].curvature - pair[0].curvature) / step;
+            for station in pair {
+                let (normal, tangent, curvature) = (station.normal, station.normal.clockwise(), station.curvature);
+                let h = self.pitch;
+                let turning = h * curvature - self.space_angle;
+                let turning_rate = h * h * curvature_rate;
+                let motion_at = |height: f64| {
+                    let origin = station.position + normal * height;
+                    let stretch = 1.0 + height * curvature;
+                    let velocity = tangent * (h * stretch);
+                    let bend = (normal * (-curvature * stretch) + tangent * (height * curvature_rate)) * (h * h);
+                    self.in_turning_frame(origin, velocity, bend)
+                };
+                let (velocity, at_origin) = motion_at(self.height);
+                let speed = velocity.norm() + turning.abs() * self.reach;
+                let near = at_origin.norm()
+                    + (turning * turning + turning_rate.abs()) * self.reach
+                    + 2.0 * turning.abs() * velocity.norm();
+                // The tip land's centre is the gear's centre, far from the tooth.
+                let (_, at_center) = motion_at(-curve.radius());
+                slope = slope.max(speed);
+                fastest_turning = fastest_turning.max(turning.abs());
+                acceleration = acceleration.max(near).max(at_center.norm());
+            }
+        }
+        let slope = slope * INFLATION;
+        MotionBounds {
+            slope,
+            turning: fastest_turning * INFLATION,
+            curvature: acceleration * INFLATION + slope * slope / (0.9 * self.least_convex_radius),
+        }
+    }
+
+    fn in_turning_frame(&self, position: Point, velocity: Point, acceleration: Point) -> (Point, Point) {
+        let turn = self.space_angle;
+        (
+            velocity - position.clockwise() * turn,
+            acceleration - velocity.clockwise() * (2.0 * turn) - position * (turn * turn),
+        )
+    }
+
+    pub const fn new(curve_perimeter: f64, flexspline_teeth: u32, circular_spline_teeth: u32) -> Self {
+        Self {
+            pitch: curve_perimeter / flexspline_teeth as f64,
+            space_angle: 2.0 * PI / circular_spline_teeth as f64,
+            height: 0.0,
+            reach: 0.0,
+            least_convex_radius: f64::INFINITY,
+        }
+    }
+}

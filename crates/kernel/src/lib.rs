@@ -1,0 +1,51 @@
+//! Exact geometry of strain wave gears, without files and without Python.
+//!
+//! The way through the crate is the way of a question: a [`Profile`] (one half of a tooth, a chain of arcs and lines by
+//! arc length) and a [`NeutralCurve`] (the deformed rim) make an [`Engagement`], which places teeth at equal arc length
+//! and answers with the signed [`clearance`](Clearance) of each flank and its witness.
+//!
+//! Units are millimetres and radians. Clearance > 0 is a gap, < 0 a depth. Angles run clockwise from +Y, so the point
+//! at (r, φ) is (r sin φ, r cos φ), and a surface whose outward normal stands at angle τ has normal (sin τ, cos τ) and
+//! tangent (cos τ, −sin τ): chains run with the material on their right.
+
+mod arc;
+mod arc_length;
+mod circumferential;
+mod clearance;
+mod depth;
+mod ellipse;
+mod engagement;
+mod error;
+mod finishing;
+mod gear;
+mod intersection;
+mod kinematics;
+mod line;
+mod motion;
+mod nearest;
+mod neutral_curve;
+mod outline;
+mod point;
+mod pose;
+mod profile;
+mod ring_shape;
+mod segment;
+mod separation;
+mod ties;
+
+pub use arc::Arc;
+pub use clearance::{Clearance, Contact, ContactKind, clearance};
+pub use engagement::{Engagement, Flank, FlankPair, RelativePose};
+pub use error::GeometryError;
+pub use gear::Gear;
+pub use kinematics::{MotionBounds, ToothMotion};
+pub use line::Line;
+pub use motion::MotionMinimum;
+pub use nearest::{Nearest, Place};
+pub use neutral_curve::{CurvePoint, NeutralCurve, NeutralCurveModel};
+pub use outline::{Half, Origin, Outline};
+pub use point::Point;
+pub use pose::Pose;
+pub use profile::{Profile, Role};
+pub use ring_shape::{RingPiece, RingShape};
+pub use segment::Segment;

@@ -1,0 +1,111 @@
+//! w/w0, the radial displacement of the ring in units of w0, in the first quadrant.
+
+use std::f64::consts::FRAC_PI_2;
+
+use crate::error::GeometryError;
+
+/// One stretch of a loaded ring, up to `phi_end`: w/w0 = p + (c + c_phi φ) cos φ + (s + s_phi φ) sin φ.
+///
+/// That is the general solution for a thin inextensible ring between point loads (its terms φ cos φ and φ sin φ) and
+/// over a circular disk (its terms 1 and cos φ); see S. Timoshenko, Strength of Materials II, "Circular rings".
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RingPiece {
+    pub phi_end: f64,
+    pub p: f64,
+    pub c: f64,
+    pub c_phi: f64,
+    pub s: f64,
+    pub s_phi: f64,
+}
+
+/// w/w0 over φ, even about φ = 0 and φ = π/2.
+#[derive(Clone, Debug, PartialEq)]
+pub enum RingShape {
+    /// Σ c[n] cos 2nφ.
+    Harmonics(Vec<f64>),
+    /// Stretches in ascending order, the last of which ends at π/2.
+    Pieces(Vec<RingPiece>),
+}
+
+impl RingShape {
+    /// # Errors
+    /// A shape without terms or with numbers that are not finite, or stretches that do not cover 0 … π/2.
+    pub fn check(&self) -> Result<(), GeometryError> {
+        let (empty, finite, covers) = match self {
+            Self::Harmonics(terms) => (terms.is_empty(), terms.iter().all(|c| c.is_finite()), true),
+            Self::Pieces(pieces) => (
+                pieces.is_empty(),
+                pieces.iter().all(|q| [q.phi_end, q.p, q.c, q.c_phi, q.s, q.s_phi].iter().all(|v| v.is_finite())),
+                pieces.windows(2).all(|pair| pair[0].phi_end < pair[1].phi_end)
+                    && pieces.first().is_some_and(|q| q.phi_end >= 0.0)
+                    && pieces.last().is_some_and(|q| (q.phi_end - FRAC_PI_2).abs() < 1e-12),
+            ),
+        };
+        if empty {
+            return Err(GeometryError::BadShape { reason: "the displacement has no terms" });
+        }
+        if !finite {
+            return Err(GeometryError::NotFinite { what: "a term of the displacement" });
+        }
+        if !covers {
+            return Err(GeometryError::BadShape { reason: "the stretches of the ring must ascend from 0° to 90°" });
+        }
+        Ok(())
+    }
+
+    /// w/w0 and its first two derivatives at 0 ≤ φ ≤ π/2.
+    pub fn at(&self, phi: f64) -> [f64; 3] {
+        match self {
+            Self::Harmonics(terms) => harmonics(terms, phi),
+            Self::Pieces(pieces) => {
+                let index = pieces.partition_point(|q| q.phi_end < phi).min(pieces.len() - 1);
+                pieces[index].at(phi)
+            }
+        }
+    }
+
+    /// Where a derivative may jump, inside 0 … π/2.
+    pub fn breaks(&self) -> Vec<f64> {
+        match self {
+            Self::Harmonics(_) => vec![],
+            Self::Pieces(pieces) => {
+                pieces.iter().map(|q| q.phi_end).filter(|&phi| phi > 0.0 && phi < FRAC_PI_2 - 1e-12).collect()
+            }
+        }
+    }
+
+    /// How many waves of cos 2φ fit into the finest detail: steers how finely the curve is integrated.
+    pub fn fineness(&self) -> usize {
+        match self {
+            Self::Harmonics(terms) => terms.len().max(2) - 1,
+            Self::Pieces(_) => 1,
+        }
+    }
+}
+
+impl RingPiece {
+    fn at(&self, phi: f64) -> [f64; 3] {
+        let (sin, cos) = phi.sin_cos();
+        let (along_cos, along_sin) = (self.c + self.c_phi * phi, self.s + self.s_phi * phi);
+        [
+            self.p + along_cos * cos + along_sin * sin,
+            (self.c_phi + along_sin) * cos + (self.s_phi - along_cos) * sin,
+            (2.0 * self.s_phi - along_cos) * cos - (2.0 * self.c_phi + along_sin) * sin,
+        ]
+    }
+}
+
+fn harmonics(terms: &[f64], phi: f64) -> [f64; 3] {
+    // cos 2nφ and sin 2nφ by rotation: one sine and cosine for all terms.
+    let (sin, cos) = (2.0 * phi).sin_cos();
+    let (mut c, mut s, mut n) = (1.0, 0.0, 0.0);
+    let mut sum = [0.0; 3];
+    for term in terms {
+        sum[0] += term * c;
+        sum[1] -= term * n * s;
+        sum[2] -= term * n * n * c;
+        (c, s) = (c * cos - s * sin, s * cos + c * sin);
+        n += 2.0;
+    }
+    sum
+}

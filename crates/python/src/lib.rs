@@ -1,0 +1,22 @@
+//! `strainwave._kernel`: converts, releases the GIL, calls, maps errors. No arithmetic.
+
+mod array;
+mod clearances;
+mod engagement;
+mod error;
+mod neutral_curve;
+mod profile;
+
+use pyo3::prelude::*;
+
+#[pymodule(gil_used = false)]
+fn _kernel(m: &Bound<'_, PyModule>) -> PyResult<()> {
+    m.add("GeometryError", m.py().get_type::<error::GeometryError>())?;
+    m.add("CONTACT_KINDS", clearances::KIND_NAMES)?;
+    m.add_class::<profile::Profile>()?;
+    m.add_class::<neutral_curve::NeutralCurve>()?;
+    m.add_class::<engagement::Engagement>()?;
+    m.add_class::<engagement::MotionMinimum>()?;
+    m.add_class::<clearances::Clearances>()?;
+    Ok(())
+}
