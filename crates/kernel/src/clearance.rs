@@ -16,6 +16,9 @@ use crate::outline::Outline;
 use crate::point::Point;
 use crate::separation::{Separation, separation};
 
+/// A crossing within this share of a piece from its end is at its end.
+const AT_END: f64 = 1e-9;
+
 /// What touches what.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ContactKind {
@@ -164,11 +167,16 @@ fn arc_length(outline: &Outline, segment: usize, place: Place, p: Point) -> f64 
 
 /// Outlines that cross without any depth: they touch.
 fn crossing_witness(first: &Outline, i: usize, second: &Outline, j: usize, p: Point) -> Clearance {
-    let contact =
-        |outline: &Outline, segment: usize| Contact { point: p, segment, u: outline.segments()[segment].foot(p) };
-    let second_contact = contact(second, j);
-    let normal = -second.segments()[j].normal(second_contact.u);
-    Clearance { gap: 0.0, first: contact(first, i), second: second_contact, normal, kind: ContactKind::Smooth }
+    let place = |outline: &Outline, segment: usize| {
+        let (u, length) = (outline.segments()[segment].foot(p), outline.segments()[segment].length());
+        match u {
+            _ if u <= AT_END * length => Place::Start,
+            _ if u >= (1.0 - AT_END) * length => Place::End,
+            _ => Place::Interior,
+        }
+    };
+    let (place_a, place_b) = (place(first, i), place(second, j));
+    apart_witness(first, second, &(i, j, Separation { distance: 0.0, a: p, b: p, place_a, place_b }))
 }
 
 fn deep_witness(first: &Outline, second: &Outline, deep: &Deepest) -> Clearance {

@@ -53,7 +53,9 @@ impl Search<'_> {
         let piece = &self.outline.segments()[segment];
         let point = piece.point(u);
         let nearest = self.body.signed_distance(point);
-        if nearest.value < self.best {
+        // Rounding alone must not turn a foot of a common normal into a point of the bisector.
+        let margin = if on_bisector { RESOLUTION } else { 0.0 };
+        if nearest.value < self.best - margin {
             let place = match u {
                 _ if u <= 0.0 => Place::Start,
                 _ if u >= piece.length() => Place::End,

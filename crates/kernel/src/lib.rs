@@ -43,7 +43,7 @@ pub use line::Line;
 pub use motion::MotionMinimum;
 pub use nearest::{Nearest, Place};
 pub use neutral_curve::{CurvePoint, NeutralCurve, NeutralCurveModel};
-pub use outline::{Half, Origin, Outline};
+pub use outline::{Half, Origin, Outline, SignedDistance};
 pub use point::Point;
 pub use pose::Pose;
 pub use profile::{Profile, Role};

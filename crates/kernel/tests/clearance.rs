@@ -1,0 +1,254 @@
+//! Signed clearance: sampling, symmetry, mirror, Lipschitz, two-sided physics, the certificate.
+
+mod common;
+
+use std::f64::consts::PI;
+
+use common::{MODULE, Tooth, assert_near, case_study, circular_spline, engagement, flexspline, samples};
+use proptest::prelude::*;
+use strainwave_kernel::{ContactKind, Engagement, Outline, Point, Pose, clearance};
+
+/// Poses near the mesh: from far apart to an overlap of a tenth of a millimetre and more.
+fn any_pose() -> impl Strategy<Value = Pose> {
+    (-0.6..0.6, -0.25..0.6, -0.12..0.12)
+        .prop_map(|(x, depth, angle): (f64, f64, f64)| Pose::new(Point::new(x, 0.045 - depth), angle))
+}
+
+/// A variation of the case study.
+#[derive(Clone, Copy, Debug)]
+struct Variation {
+    offset: f64,
+    line: f64,
+    filleted: bool,
+    w0: f64,
+}
+
+impl Variation {
+    fn engagement(&self) -> Engagement {
+        let flexspline = Tooth { offset: self.offset, line_length: self.line * MODULE, ..flexspline() };
+        let circular_spline = Tooth { fillet: if self.filleted { 0.2 } else { 0.0 }, ..circular_spline() };
+        engagement(&flexspline, &circular_spline, self.w0)
+    }
+}
+
+fn any_variation() -> impl Strategy<Value = Variation> {
+    (-0.02..0.01, 0.25..0.8, prop::bool::ANY, 0.6..0.95).prop_map(|(offset, line, filleted, w0)| Variation {
+        offset,
+        line,
+        filleted,
+        w0,
+    })
+}
+
+/// The least signed distance of sampled points of one outline from the other body, and the widest step.
+fn sampled(outline: &Outline, body: &Outline, reach: f64) -> (f64, f64) {
+    let mut least = f64::INFINITY;
+    let mut step: f64 = 0.0;
+    for segment in outline.segments() {
+        let count = 400;
+        for p in samples(segment, count).filter(|p| p.norm() < reach) {
+            least = least.min(body.signed_distance(p).value);
+        }
+        if segment.length() < reach {
+            step = step.max(segment.length() / count as f64);
+        }
+    }
+    (least, step)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 200, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn signed_distance_has_the_side_of_a_small_step(share in 0.0..1.0_f64, index in 0..32_usize, step in 1e-6..1e-3_f64) {
+        // From a point of the outline along its normal: that far outside; against it: that far inside.
+        let engagement = case_study();
+        let outline = engagement.space();
+        let piece = outline.segments()[index % outline.segments().len()];
+        let u = (0.01 + 0.98 * share) * piece.length();
+        for side in [1.0, -1.0] {
+            let p = piece.point(u) + piece.normal(u) * (side * step);
+            prop_assert!((outline.signed_distance(p).value - side * step).abs() < 1e-3 * step + 1e-12);
+        }
+    }
+
+    /// No sampled point is deeper (or nearer) than the clearance, and the clearance is not below what sampling finds by
+    /// more than half a step.
+    #[test]
+    fn clearance_agrees_with_sampling(variation in any_variation(), pose in any_pose()) {
+        let engagement = variation.engagement();
+        let found = engagement.clearances(&pose);
+        let gap = found.left.gap.min(found.right.gap);
+        let tooth = engagement.tooth().posed(&pose);
+        // Only what both flanks share: one pitch around the space.
+        let (a, step_a) = sampled(&tooth, engagement.space(), 1.2);
+        let (b, step_b) = sampled(engagement.space(), &tooth, 1.2);
+        prop_assert!(gap <= a.min(b) + 1e-12, "{gap} {a} {b}");
+        let witness_within = [found.left, found.right].iter().any(|c| c.gap == gap && c.first.point.norm() < 1.1);
+        if witness_within {
+            prop_assert!(gap >= a.min(b) - 0.5 * step_a.max(step_b), "{gap} {a} {b}");
+        }
+    }
+
+    #[test]
+    fn the_witness_is_consistent(variation in any_variation(), pose in any_pose()) {
+        let engagement = variation.engagement();
+        let found = engagement.clearances(&pose);
+        let tooth = engagement.tooth().posed(&pose);
+        for c in [found.left, found.right] {
+            prop_assert!(((c.second.point - c.first.point).norm() - c.gap.abs()).abs() < 1e-11);
+            prop_assert!((tooth.segments()[c.first.segment].point(c.first.u) - c.first.point).norm() < 1e-11);
+            prop_assert!((engagement.space().segments()[c.second.segment].point(c.second.u) - c.second.point).norm() < 1e-11);
+            prop_assert!((c.normal.norm() - 1.0).abs() < 1e-12);
+            if c.gap.abs() > 1e-7 && c.kind != ContactKind::Bisector {
+                prop_assert!((c.first.point + c.normal * c.gap - c.second.point).norm() < 1e-8);
+            }
+        }
+    }
+
+    #[test]
+    fn swapping_the_bodies_changes_nothing(variation in any_variation(), pose in any_pose()) {
+        let engagement = variation.engagement();
+        let tooth = engagement.tooth().posed(&pose);
+        let space = engagement.space();
+        let (all_a, all_b) = (4..tooth.segments().len() - 4, 4..space.segments().len() - 4);
+        let one = clearance(&tooth, all_a.clone(), space, all_b.clone());
+        let other = clearance(space, all_b, &tooth, all_a);
+        prop_assert!((one.gap - other.gap).abs() < 1e-12);
+    }
+
+    #[test]
+    fn the_mirror_swaps_the_flanks(variation in any_variation(), pose in any_pose()) {
+        let engagement = variation.engagement();
+        let mirrored = Pose::with_y_axis(pose.origin.mirrored(), pose.y_axis().mirrored());
+        let (one, other) = (engagement.clearances(&pose), engagement.clearances(&mirrored));
+        prop_assert!((one.left.gap - other.right.gap).abs() < 1e-12);
+        prop_assert!((one.right.gap - other.left.gap).abs() < 1e-12);
+    }
+
+    #[test]
+    fn moving_both_bodies_changes_nothing(variation in any_variation(), pose in any_pose(), by in any_pose(), turn in -3.0..3.0) {
+        let engagement = variation.engagement();
+        let frame = Pose::new(by.origin, turn);
+        let pieces = 4..engagement.tooth().segments().len() - 4;
+        let here = clearance(&engagement.tooth().posed(&pose), pieces.clone(), engagement.space(), 8..24);
+        let there = clearance(&engagement.tooth().posed(&frame.after(&pose)), pieces, &engagement.space().posed(&frame), 8..24);
+        prop_assert!((here.gap - there.gap).abs() < 1e-11);
+    }
+
+    /// The gap changes by no more than the farthest outline point moves.
+    #[test]
+    fn the_gap_is_1_lipschitz(variation in any_variation(), pose in any_pose(), dx in -0.05..0.05, dy in -0.05..0.05, turn in -0.03..0.03) {
+        let engagement = variation.engagement();
+        let moved = Pose::new(pose.origin + Point::new(dx, dy), pose.angle() + turn);
+        let displacement = engagement.tooth().segments().iter().flat_map(|s| [s.start(), s.end()])
+            .map(|p| (moved.point(p) - pose.point(p)).norm()).fold(0.0, f64::max);
+        let gap = |pose: &Pose| { let g = engagement.clearances(pose); g.left.gap.min(g.right.gap) };
+        prop_assert!((gap(&moved) - gap(&pose)).abs() <= displacement + 1e-12);
+    }
+
+    /// Moved to contact along the witness normal the gap is 0; a tenth of a micrometre to either side, it is that.
+    #[test]
+    fn contact_is_two_sided(variation in any_variation(), k in 0.0..38.0) {
+        let engagement = variation.engagement();
+        let pose = engagement.relative_pose(k).tooth;
+        let right = |pose: &Pose| engagement.clearances(pose).right;
+        // Sliding off the witness is second order in the gap: three rounds settle it.
+        let mut contact = pose;
+        for _ in 0..3 {
+            let c = right(&contact);
+            contact = contact.shifted(c.normal * c.gap);
+        }
+        let c = right(&contact);
+        prop_assert!(c.gap.abs() < 1e-9);
+        for shift in [1e-4, -1e-4] {
+            let gap = right(&contact.shifted(c.normal * shift)).gap;
+            prop_assert!((gap + shift).abs() < 1e-7, "{gap} {shift} {c:?}");
+        }
+    }
+
+    #[test]
+    fn the_certificate_holds(variation in any_variation()) {
+        let engagement = variation.engagement();
+        let tolerance = 1e-6;
+        let least = engagement.minimum_in_motion(tolerance);
+        prop_assert!(least.gap - least.lower_bound <= tolerance);
+        for i in 0..2000 {
+            let k = engagement.quarter() * f64::from(i) / 2000.0;
+            let found = engagement.clearances(&engagement.relative_pose(k).tooth);
+            prop_assert!(found.left.gap.min(found.right.gap) >= least.lower_bound, "at {k}");
+        }
+    }
+}
+
+#[test]
+fn whole_turns_of_the_index_change_nothing() {
+    let engagement = case_study();
+    for k in [0.0, 3.7, 36.2, 50.9] {
+        let here = engagement.clearances(&engagement.relative_pose(k).tooth);
+        // Half a turn on is the second lobe; the mirrored index swaps the flanks.
+        for same in [k + 102.0, k - 204.0] {
+            let there = engagement.clearances(&engagement.relative_pose(same).tooth);
+            assert_near(there.left.gap, here.left.gap, 1e-11);
+            assert_near(there.right.gap, here.right.gap, 1e-11);
+        }
+        let mirrored = engagement.clearances(&engagement.relative_pose(-k).tooth);
+        assert_near(mirrored.left.gap, here.right.gap, 1e-11);
+    }
+}
+
+/// Turning the circular spline by the circumferential backlash brings the flank into contact, and a little more does not
+/// leave it there.
+#[test]
+fn circumferential_backlash_ends_in_contact() {
+    let engagement = engagement(&Tooth { offset: -0.0072, ..flexspline() }, &circular_spline(), common::W0);
+    let center = Point::new(0.0, -82.4);
+    let corner = engagement.flexspline().segments()[0].end();
+    for k in 0..=51 {
+        let pose = engagement.relative_pose(f64::from(k)).tooth;
+        let arcs = engagement.circumferential(f64::from(k));
+        for (arc, side) in [(arcs.left, -1.0), (arcs.right, 1.0)] {
+            let gap = |arc: f64| {
+                let c = engagement.clearances(&pose.turned_about(center, side * arc / 82.4));
+                if side < 0.0 { c.left.gap } else { c.right.gap }
+            };
+            // Contact needs a tip corner below the circular spline's tips (82.4 − 0.72 mm), within half a pitch.
+            let reach = (pose.point(Point::new(side * corner.x, corner.y)) - center).norm();
+            let Some(arc) = arc else {
+                assert!(reach <= 81.68 || gap(0.5 * MODULE * PI) > 0.0, "tooth {k}");
+                continue;
+            };
+            assert!(reach > 81.68, "tooth {k}");
+            assert_near(gap(arc), 0.0, 1e-11);
+            assert!(gap(arc + 1e-4) < -1e-5 && gap(arc - 1e-4) > 1e-5, "tooth {k}");
+        }
+    }
+}
+
+#[test]
+fn play_in_motion_is_the_least_over_the_curve() {
+    let engagement = engagement(&Tooth { offset: -0.0072, ..flexspline() }, &circular_spline(), common::W0);
+    let play = engagement.play_in_motion(1e-6).unwrap();
+    let sampled =
+        (-510..=510).filter_map(|i| engagement.circumferential(0.1 * f64::from(i)).right).fold(f64::INFINITY, f64::min);
+    assert!(play <= sampled + 2e-6, "{play} {sampled}");
+    assert_near(play, sampled, 3e-5);
+}
+
+#[test]
+fn a_difference_of_four_teeth_meets_every_space() {
+    // Flexspline teeth pass into the next space between two lobes; the gap stays continuous and bounded by the slope.
+    let mut ring = circular_spline();
+    ring.gear.teeth = 208;
+    ring.gear.pitch_radius = 0.5 * MODULE * 208.0;
+    let engagement = engagement(&flexspline(), &ring, 1.7);
+    let gap = |k: f64| {
+        let found = engagement.clearances(&engagement.relative_pose(k).tooth);
+        found.left.gap.min(found.right.gap)
+    };
+    let step = 0.05;
+    for i in 0..1020 {
+        let k = step * f64::from(i);
+        assert!((gap(k + step) - gap(k)).abs() <= engagement.bounds().slope * step, "at {k}");
+    }
+}
