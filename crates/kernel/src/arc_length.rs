@@ -1,49 +1,95 @@
 //! Arc length over one quadrant of a closed curve, and its inverse.
+//!
+//! The quadrant is cut into panels so short that a four-point rule integrates a smooth speed to rounding, and a cubic
+//! through both ends inverts the arc length to nine digits: one Newton step gives the rest.
 
 use std::f64::consts::FRAC_PI_2;
+use std::sync::Arc;
 
-/// Nodes (positive half) and weights of the 16-point Gauss-Legendre rule (Abramowitz and Stegun, table 25.4).
-const GAUSS: [(f64, f64); 8] = [
-    (0.095_012_509_837_637_44, 0.189_450_610_455_068_5),
-    (0.281_603_550_779_258_9, 0.182_603_415_044_923_6),
-    (0.458_016_777_657_227_4, 0.169_156_519_395_002_54),
-    (0.617_876_244_402_643_7, 0.149_595_988_816_576_73),
-    (0.755_404_408_355_003, 0.124_628_971_255_533_87),
-    (0.865_631_202_387_831_7, 0.095_158_511_682_492_78),
-    (0.944_575_023_073_232_6, 0.062_253_523_938_647_89),
-    (0.989_400_934_991_649_9, 0.027_152_459_411_754_095),
-];
+/// Nodes (positive half) and weights of the 4-point Gauss-Legendre rule (Abramowitz and Stegun, table 25.4).
+const GAUSS: [(f64, f64); 2] =
+    [(0.339_981_043_584_856_26, 0.652_145_154_862_546_1), (0.861_136_311_594_052_6, 0.347_854_845_137_453_85)];
+const NODES: usize = 2 * GAUSS.len();
 
-/// Panels over the quadrant for a curve no finer than cos 2φ: the rule is then exact to rounding.
-const PANELS: usize = 8;
+/// Panels over the quadrant for a curve no finer than cos 2φ.
+const PANELS: usize = 64;
 
-/// Cumulative arc length at the ends of panels in which the curve is smooth.
+/// Where a curve is sampled to integrate over it.
 #[derive(Clone, Debug)]
-pub struct ArcLength {
-    ends: Vec<f64>,
-    lengths: Vec<f64>,
+pub struct Panels {
+    /// Ends of the panels, from 0 to π/2.
+    pub ends: Vec<f64>,
+    /// The nodes of the rule, panel after panel.
+    pub nodes: Vec<f64>,
 }
 
-impl ArcLength {
-    /// Integrates `speed` (length per parameter) over 0 … π/2. Panels end at `breaks`; `fineness` counts the waves of
-    /// cos 2φ in the finest detail.
-    pub fn new(speed: impl Fn(f64) -> f64, breaks: &[f64], fineness: usize) -> Self {
+impl Panels {
+    /// Panels that end at `breaks`; `fineness` counts the waves of cos 2φ in the finest detail.
+    pub fn new(breaks: &[f64], fineness: usize) -> Self {
         let mut stops = vec![0.0];
         stops.extend_from_slice(breaks);
         stops.push(FRAC_PI_2);
-        let (mut ends, mut lengths) = (vec![0.0], vec![0.0]);
-        let mut total = 0.0;
+        let mut ends = vec![0.0];
         for pair in stops.windows(2) {
             let share = (pair[1] - pair[0]) / FRAC_PI_2;
-            let panels = share.mul_add((PANELS * fineness.max(1)) as f64, 1.0) as usize;
-            for panel in 1..=panels {
-                let end = pair[0] + (pair[1] - pair[0]) * panel as f64 / panels as f64;
-                total += integral(&speed, ends[ends.len() - 1], end);
-                ends.push(end);
-                lengths.push(total);
-            }
+            let count = (share * (PANELS * fineness.max(1)) as f64).ceil().max(1.0) as usize;
+            ends.extend((1..=count).map(|i| pair[0] + (pair[1] - pair[0]) * i as f64 / count as f64));
         }
-        Self { ends, lengths }
+        let nodes = ends.windows(2).flat_map(|pair| nodes(pair[0], pair[1])).collect();
+        Self { ends, nodes }
+    }
+}
+
+fn nodes(from: f64, to: f64) -> [f64; NODES] {
+    let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
+    let [(inner, _), (outer, _)] = GAUSS;
+    [middle - half * outer, middle - half * inner, middle + half * inner, middle + half * outer]
+}
+
+fn weighted(values: [f64; NODES], width: f64) -> f64 {
+    let [(_, inner), (_, outer)] = GAUSS;
+    0.5 * width * (inner * (values[1] + values[2]) + outer * (values[0] + values[3]))
+}
+
+/// The quadrant of a curve from its speeds at all nodes.
+pub fn quadrant(panels: &Panels, speeds_at_nodes: impl Iterator<Item = f64>) -> f64 {
+    accumulate(panels, speeds_at_nodes, |_| {})
+}
+
+fn accumulate(panels: &Panels, mut speeds: impl Iterator<Item = f64>, mut each: impl FnMut(f64)) -> f64 {
+    let mut total = 0.0;
+    for pair in panels.ends.windows(2) {
+        let values = [(); NODES].map(|()| speeds.next().unwrap_or(f64::NAN));
+        total += weighted(values, pair[1] - pair[0]);
+        each(total);
+    }
+    total
+}
+
+/// Cumulative arc length at the ends of the panels.
+#[derive(Clone, Debug)]
+pub struct ArcLength {
+    panels: Arc<Panels>,
+    lengths: Vec<f64>,
+    /// Speed (length per parameter) at the ends.
+    speeds: Vec<f64>,
+}
+
+impl ArcLength {
+    /// From the speeds at the panels' nodes and ends.
+    pub fn new(
+        panels: Arc<Panels>,
+        speeds_at_nodes: impl Iterator<Item = f64>,
+        speeds_at_ends: impl Iterator<Item = f64>,
+    ) -> Self {
+        let mut lengths = Vec::with_capacity(panels.ends.len());
+        lengths.push(0.0);
+        accumulate(&panels, speeds_at_nodes, |length| lengths.push(length));
+        Self { lengths, speeds: speeds_at_ends.collect(), panels }
+    }
+
+    pub fn panels(&self) -> &Panels {
+        &self.panels
     }
 
     /// Arc length of the quadrant.
@@ -53,21 +99,28 @@ impl ArcLength {
 
     /// Arc length from 0 to `t`, 0 ≤ t ≤ π/2.
     pub fn at(&self, speed: impl Fn(f64) -> f64, t: f64) -> f64 {
-        let panel = self.ends[1..self.ends.len() - 1].partition_point(|&end| end <= t);
-        self.lengths[panel] + integral(speed, self.ends[panel], t)
+        let ends = &self.panels.ends;
+        let panel = ends[1..ends.len() - 1].partition_point(|&end| end <= t);
+        self.lengths[panel] + integral(speed, ends[panel], t)
     }
 
     /// The parameter at which the arc length is `s`, 0 ≤ s ≤ quadrant.
     pub fn inverse(&self, speed: impl Fn(f64) -> f64, s: f64) -> f64 {
         let panel = self.lengths[1..self.lengths.len() - 1].partition_point(|&length| length <= s);
-        let (low, high) = (self.ends[panel], self.ends[panel + 1]);
+        let (low, high) = (self.panels.ends[panel], self.panels.ends[panel + 1]);
         let (from, to) = (self.lengths[panel], self.lengths[panel + 1]);
-        let mut t = low + (high - low) * (s - from) / (to - from);
-        // Newton: the speed hardly varies within a panel, so each round gains four digits and more.
+        let (v0, v1) = (self.speeds[panel], self.speeds[panel + 1]);
+        // Hermite's cubic t(s) through both ends with slopes 1/speed.
+        let (width, share) = (to - from, (s - from) / (to - from));
+        let rest = 1.0 - share;
+        let mut t = rest * rest * (1.0 + 2.0 * share) * low
+            + share * share * (1.0 + 2.0 * rest) * high
+            + width * share * rest * (rest / v0 - share / v1);
+        // Newton; one round is enough unless the curve is far from a circle.
         for _ in 0..20 {
-            let step = (s - from - integral(&speed, low, t)) / speed(t);
+            let step = (s - from - integral(&speed, low, t)) / (v0 + (v1 - v0) * share);
             t = (t + step).clamp(low, high);
-            if step.abs() <= 1e-15 {
+            if step.abs() <= 1e-8 * (high - low) {
                 break;
             }
         }
@@ -76,6 +129,5 @@ impl ArcLength {
 }
 
 fn integral(f: impl Fn(f64) -> f64, from: f64, to: f64) -> f64 {
-    let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
-    GAUSS.iter().map(|&(node, weight)| weight * (f(middle - half * node) + f(middle + half * node))).sum::<f64>() * half
+    weighted(nodes(from, to).map(f), to - from)
 }

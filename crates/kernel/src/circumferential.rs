@@ -48,7 +48,7 @@ impl Engagement {
     /// circle through which the circular spline turns until that flank touches; `None` where no turn within half a
     /// pitch does. Negative for a flank that overlaps and is freed by turning back.
     pub fn circumferential(&self, k: f64) -> FlankPair<Option<f64>> {
-        let pose = self.relative_pose(k).tooth;
+        let pose = self.relative_pose(k);
         FlankPair { left: self.arc_to_contact(&pose, Flank::Left), right: self.arc_to_contact(&pose, Flank::Right) }
     }
 

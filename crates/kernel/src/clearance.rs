@@ -14,7 +14,7 @@ use crate::intersection;
 use crate::nearest::Place;
 use crate::outline::Outline;
 use crate::point::Point;
-use crate::separation::{Separation, separation};
+use crate::separation::{Separation, distance, separation};
 
 /// A crossing within this share of a piece from its end is at its end.
 const AT_END: f64 = 1e-9;
@@ -74,75 +74,92 @@ pub fn clearance(
     second_pieces: Range<usize>,
 ) -> Clearance {
     let everything = 0..first.segments().len();
-    let mut apart = Apart { best: None, crossing: None };
-    apart.pairs(first, first_pieces.clone(), second, 0..second.segments().len());
-    apart.pairs(first, everything, second, second_pieces.clone());
-    let touching = match (apart.crossing, apart.best) {
-        (None, Some(pair)) => {
+    let mut closest = Closest { distance: f64::INFINITY, pair: (0, 0), crossing: None };
+    closest.search(first, first_pieces.clone(), second, 0..second.segments().len());
+    closest.search(first, everything, second, second_pieces.clone());
+    let touching = match closest.crossing {
+        None => {
+            let witness = apart_witness(first, second, &closest);
             // Without a crossing each outline is wholly on one side of the other.
             let outside = second.signed_distance(first.segments()[first_pieces.start].start()).value >= 0.0
                 && first.signed_distance(second.segments()[second_pieces.start].start()).value >= 0.0;
-            let witness = apart_witness(first, second, &pair);
             if outside {
                 return witness;
             }
             Clearance { gap: 0.0, ..witness }
         }
-        (Some((i, j, p)), _) => crossing_witness(first, i, second, j, p),
-        (None, None) => unreachable!("an outline has pieces"),
+        Some((i, j, p)) => crossing_witness(first, i, second, j, p),
     };
+    overlap(first, first_pieces, second, second_pieces, touching)
+}
 
+/// The greatest depth of bodies that overlap, or the given contact where nothing is deep.
+fn overlap(
+    first: &Outline,
+    first_pieces: Range<usize>,
+    second: &Outline,
+    second_pieces: Range<usize>,
+    touching: Clearance,
+) -> Clearance {
     let into_second = depth::deepest(first, first_pieces, second, 0.0);
     let best = into_second.map_or(0.0, |deep| deep.nearest.value);
-    if let Some(deep) = depth::deepest(second, second_pieces, first, best) {
-        let swapped = deep_witness(second, first, &deep);
-        return Clearance {
-            first: swapped.second,
-            second: swapped.first,
-            normal: -swapped.normal,
-            kind: match swapped.kind {
-                ContactKind::FirstCorner => ContactKind::SecondCorner,
-                ContactKind::SecondCorner => ContactKind::FirstCorner,
-                kind => kind,
-            },
-            ..swapped
-        };
+    match (depth::deepest(second, second_pieces, first, best), into_second) {
+        (Some(into_first), _) => deep_witness(second, first, &into_first).swapped(),
+        (None, Some(into_second)) => deep_witness(first, second, &into_second),
+        (None, None) => touching,
     }
-    into_second.map_or(touching, |deep| deep_witness(first, second, &deep))
+}
+
+impl Clearance {
+    /// The same with the bodies' roles exchanged.
+    fn swapped(self) -> Self {
+        let kind = match self.kind {
+            ContactKind::FirstCorner => ContactKind::SecondCorner,
+            ContactKind::SecondCorner => ContactKind::FirstCorner,
+            kind => kind,
+        };
+        Self { first: self.second, second: self.first, normal: -self.normal, kind, ..self }
+    }
 }
 
 /// The closest pair of pieces so far, or a crossing.
-struct Apart {
-    best: Option<(usize, usize, Separation)>,
+struct Closest {
+    distance: f64,
+    pair: (usize, usize),
     crossing: Option<(usize, usize, Point)>,
 }
 
-impl Apart {
-    fn pairs(&mut self, first: &Outline, first_pieces: Range<usize>, second: &Outline, second_pieces: Range<usize>) {
+impl Closest {
+    fn search(&mut self, first: &Outline, first_pieces: Range<usize>, second: &Outline, second_pieces: Range<usize>) {
         for i in first_pieces {
             for j in second_pieces.clone() {
                 if self.crossing.is_some() {
                     return;
                 }
-                let limit = self.best.map_or(f64::INFINITY, |(_, _, found)| found.distance);
                 let bound = first.bound_between(i, second, j);
-                if bound > limit {
+                if bound > self.distance {
                     continue;
                 }
                 let (a, b) = (&first.segments()[i], &second.segments()[j]);
                 if bound <= 0.0 {
                     self.crossing = intersection::crossings(a, b).iter().next().map(|p| (i, j, p));
                 }
-                let found = separation(a, b);
-                if found.distance < limit {
-                    self.best = Some((i, j, found));
+                let found = distance(a, b);
+                if found < self.distance {
+                    (self.distance, self.pair) = (found, (i, j));
                 }
             }
         }
     }
 }
 
-fn apart_witness(first: &Outline, second: &Outline, &(i, j, found): &(usize, usize, Separation)) -> Clearance {
+fn apart_witness(first: &Outline, second: &Outline, closest: &Closest) -> Clearance {
+    let (i, j) = closest.pair;
+    let found = separation(&first.segments()[i], &second.segments()[j]);
+    witness(first, i, second, j, &found, closest.distance)
+}
+
+fn witness(first: &Outline, i: usize, second: &Outline, j: usize, found: &Separation, gap: f64) -> Clearance {
     let first_contact = Contact { point: found.a, segment: i, u: arc_length(first, i, found.place_a, found.a) };
     let second_contact = Contact { point: found.b, segment: j, u: arc_length(second, j, found.place_b, found.b) };
     let normal = if found.place_b == Place::Interior {
@@ -153,7 +170,7 @@ fn apart_witness(first: &Outline, second: &Outline, &(i, j, found): &(usize, usi
         (found.b - found.a).unit().unwrap_or_else(|| first.segments()[i].normal(first_contact.u))
     };
     let kind = ContactKind::of(first.is_corner(i, found.place_a), second.is_corner(j, found.place_b));
-    Clearance { gap: found.distance, first: first_contact, second: second_contact, normal, kind }
+    Clearance { gap, first: first_contact, second: second_contact, normal, kind }
 }
 
 fn arc_length(outline: &Outline, segment: usize, place: Place, p: Point) -> f64 {
@@ -176,7 +193,7 @@ fn crossing_witness(first: &Outline, i: usize, second: &Outline, j: usize, p: Po
         }
     };
     let (place_a, place_b) = (place(first, i), place(second, j));
-    apart_witness(first, second, &(i, j, Separation { distance: 0.0, a: p, b: p, place_a, place_b }))
+    witness(first, i, second, j, &Separation { a: p, b: p, place_a, place_b }, 0.0)
 }
 
 fn deep_witness(first: &Outline, second: &Outline, deep: &Deepest) -> Clearance {

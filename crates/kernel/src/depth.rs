@@ -1,8 +1,8 @@
 //! How deep a piece of one outline lies inside another body.
 //!
 //! Inside a body the signed distance is −minᵢ dᵢ over the body's pieces i. Along one piece of the other outline every
-//! dᵢ is monotone between the places where it is stationary or zero, and these are known in closed form. Between two
-//! neighbouring such places min dᵢ rises to at most one summit, where the nearest piece changes: a point of the body's
+//! dᵢ is monotone between the places where it is stationary, and these are known in closed form. Between two neighbouring
+//! such places min dᵢ rises to at most one summit, where the nearest piece changes: a point of the body's
 //! bisector, found by bisection on whether the depth still grows.
 
 use std::ops::Range;
@@ -49,7 +49,7 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    fn score(&mut self, segment: usize, u: f64, on_bisector: bool) -> f64 {
+    fn score(&mut self, segment: usize, u: f64, on_bisector: bool) -> SignedDistance {
         let piece = &self.outline.segments()[segment];
         let point = piece.point(u);
         let nearest = self.body.signed_distance(point);
@@ -64,7 +64,7 @@ impl Search<'_> {
             self.best = nearest.value;
             self.found = Some(Deepest { segment, u, place, point, nearest, on_bisector });
         }
-        nearest.value
+        nearest
     }
 
     /// Whether an interval of this width about a point at this signed distance cannot hold anything deeper: a signed
@@ -76,26 +76,55 @@ impl Search<'_> {
     fn piece(&mut self, segment: usize) {
         let piece = self.outline.segments()[segment];
         let length = piece.length();
-        let middle = piece.point(0.5 * length);
+        // The sign of the distance changes only where the piece crosses the body's outline.
+        let mut cuts = vec![0.0, length];
+        for other in 0..self.body.segments().len() {
+            if self.outline.bound_between(segment, self.body, other) <= 0.0 {
+                cuts.extend(
+                    intersection::crossings(&piece, &self.body.segments()[other]).iter().map(|p| piece.foot(p)),
+                );
+            }
+        }
+        cuts.sort_unstable_by(f64::total_cmp);
+        for pair in cuts.windows(2) {
+            self.stretch(segment, pair[0], pair[1]);
+        }
+    }
+
+    /// A stretch of a piece that is wholly inside or wholly outside the body.
+    fn stretch(&mut self, segment: usize, from: f64, to: f64) {
+        let piece = self.outline.segments()[segment];
+        let (middle, width) = (piece.point(0.5 * (from + to)), to - from);
         let at_middle = self.body.signed_distance(middle).value;
-        if self.hopeless(at_middle, length) {
+        if at_middle >= 0.0 || self.hopeless(at_middle, width) {
             return;
         }
-        let mut stops = vec![0.0, length];
+        let mut stops = vec![from, to];
         for other in self.body.segments() {
             // Farther pieces are nowhere the nearest one.
-            if other.nearest(middle).distance.abs() <= at_middle.abs() + length {
+            if other.nearest(middle).distance.abs() <= at_middle.abs() + width {
                 add_stops(&mut stops, &piece, other);
             }
         }
-        stops.retain(|u| (0.0..=length).contains(u));
+        stops.retain(|u| (from..=to).contains(u));
         stops.sort_unstable_by(f64::total_cmp);
-        for &u in &stops {
-            self.score(segment, u, false);
+        let scored: Vec<Stop> = stops.into_iter().map(|u| Stop { u, nearest: self.score(segment, u, false) }).collect();
+        for pair in scored.windows(2) {
+            if self.rises_inside(&piece, &pair[0], &pair[1]) {
+                self.summit(segment, pair[0].u, pair[1].u);
+            }
         }
-        for pair in stops.windows(2) {
-            self.summit(segment, pair[0], pair[1]);
-        }
+    }
+
+    /// Whether the depth can be greater between two stops than at both.
+    ///
+    /// Between them it is the lesser of a rising and a falling function, the least of the rising and of the falling dᵢ. If
+    /// the nearest piece at the far end has come with rising depth, the rising one is the lesser all the way: its greatest
+    /// value is at that end. The same goes for the near end and falling depth.
+    fn rises_inside(&self, piece: &Segment, low: &Stop, high: &Stop) -> bool {
+        let depth =
+            |stop: &Stop, u: f64| self.body.segments()[stop.nearest.segment].nearest(piece.point(u)).distance.abs();
+        depth(high, low.u) > -high.nearest.value && depth(low, high.u) > -low.nearest.value
     }
 
     /// Bisection for the summit of the depth between two stops.
@@ -106,12 +135,11 @@ impl Search<'_> {
             if middle <= low || middle >= high {
                 return;
             }
-            let p = piece.point(middle);
-            let nearest = self.body.signed_distance(p);
+            let nearest = self.score(segment, middle, true);
             if nearest.value >= 0.0 || self.hopeless(nearest.value, high - low) {
                 return;
             }
-            self.score(segment, middle, true);
+            let p = piece.point(middle);
             let foot = self.body.segments()[nearest.segment].point(self.body.foot(p, &nearest));
             if piece.tangent(middle).dot(p - foot) > 0.0 {
                 low = middle;
@@ -122,11 +150,14 @@ impl Search<'_> {
     }
 }
 
-/// The arc lengths on the carrier of `piece` at which its distance from `other` may be stationary or zero.
+/// A place on a piece at which the depth is known.
+struct Stop {
+    u: f64,
+    nearest: SignedDistance,
+}
+
+/// The arc lengths on the carrier of `piece` at which its distance from `other` may be stationary.
 fn add_stops(stops: &mut Vec<f64>, piece: &Segment, other: &Segment) {
-    for p in intersection::crossings(piece, other).iter() {
-        stops.push(piece.foot(p));
-    }
     add_feet(stops, piece, other.start());
     add_feet(stops, piece, other.end());
     match (piece, other) {

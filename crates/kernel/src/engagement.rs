@@ -11,6 +11,7 @@ use crate::outline::Outline;
 use crate::point::Point;
 use crate::pose::Pose;
 use crate::profile::{Profile, Role};
+use crate::pursuit::Pursuit;
 use crate::segment::Segment;
 
 /// Something for each flank of a flexspline tooth; right is the half x > 0 of the tooth, its clockwise side.
@@ -42,15 +43,6 @@ pub struct Engagement {
     space_pieces: [Range<usize>; 2],
     motion: ToothMotion,
     bounds: MotionBounds,
-}
-
-/// A flexspline tooth in the frame of the space in which it stands.
-#[derive(Clone, Copy, Debug)]
-pub struct RelativePose {
-    /// Pose of the tooth frame in the space's frame.
-    pub tooth: Pose,
-    /// Pose of the space's frame in the global frame at generator angle 0.
-    pub space: Pose,
 }
 
 impl Engagement {
@@ -129,25 +121,53 @@ impl Engagement {
         Pose::with_y_axis(axis * self.circular_spline.gear.pitch_radius, -axis)
     }
 
-    /// The tooth of index `k` in the nearest space.
+    /// Pose of the tooth of index `k` in the frame of the nearest space.
     ///
     /// With a difference of two teeth this is space k throughout; with more, teeth pass into the next spaces.
-    pub fn relative_pose(&self, k: f64) -> RelativePose {
+    pub fn relative_pose(&self, k: f64) -> Pose {
         let gamma = self.motion.space_angle;
         let tooth = Pose::rotation(-k * gamma).after(&self.tooth_pose(k));
-        let passed = (tooth.origin.angle() / gamma).round();
-        let pitch_point = Point::new(0.0, self.circular_spline.gear.pitch_radius);
-        let space = Pose::rotation((k + passed) * gamma);
-        RelativePose {
-            tooth: Pose::rotation(-passed * gamma).after(&tooth).shifted(-pitch_point),
-            space: space.shifted(space.vector(pitch_point)),
+        if tooth.origin.x.abs() <= tooth.origin.y * (0.49 * gamma) {
+            return tooth.shifted(self.center());
         }
+        let passed = (tooth.origin.angle() / gamma).round();
+        Pose::rotation(-passed * gamma).after(&tooth).shifted(self.center())
+    }
+
+    /// Pose, in the global frame at generator angle 0, of the space in which the tooth of index `k` stands.
+    pub fn space_pose(&self, k: f64) -> Pose {
+        let gamma = self.motion.space_angle;
+        let passed = ((self.tooth_pose(k).origin.angle() - k * gamma) / gamma).round();
+        let space = Pose::rotation((k + passed) * gamma);
+        space.shifted(-space.vector(self.center()))
     }
 
     /// Signed clearance of both flanks of a tooth at a pose in the frame of its space.
     pub fn clearances(&self, tooth: &Pose) -> FlankPair<Clearance> {
         let tooth = self.tooth.posed(tooth);
         FlankPair { left: self.flank(&tooth, Flank::Left), right: self.flank(&tooth, Flank::Right) }
+    }
+
+    /// Whether a tooth whose outline crosses nothing is surely outside the circular spline: its root floor lies within
+    /// the circular spline's tips, and its tip within the root circle.
+    pub(crate) fn stands_free(&self, tooth: &Pose) -> bool {
+        let gear = &self.circular_spline.gear;
+        let floor = tooth.point(self.tooth.segments()[self.tooth_pieces[1].end].start()) - self.center();
+        let tip = (tooth.origin - self.center()).norm() + self.flexspline.segments()[0].end().norm();
+        floor.norm() < gear.signed_tip_radius().abs() && tip < gear.signed_root_radius().abs()
+    }
+
+    /// The gaps of both flanks at the tooth indices 0, 1, … up to a quarter of the flexspline's teeth.
+    pub fn distribution(&self) -> Vec<FlankPair<f64>> {
+        let mut left = Pursuit::new(self, Flank::Left);
+        let mut right = Pursuit::new(self, Flank::Right);
+        let last = self.flexspline.gear.teeth / 4;
+        (0..=last)
+            .map(|k| {
+                let pose = self.relative_pose(f64::from(k));
+                FlankPair { left: left.gap(&pose), right: right.gap(&pose) }
+            })
+            .collect()
     }
 
     /// Signed clearance of one flank of a tooth whose outline is given in the frame of its space.

@@ -117,7 +117,7 @@ impl GapCurve<'_> {
 
     /// Outline of the tooth in the frame of its space.
     fn tooth(&self, index: f64) -> Outline {
-        let pose = self.engagement.relative_pose(index).tooth;
+        let pose = self.engagement.relative_pose(index);
         let pose = if self.turn == 0.0 { pose } else { self.engagement.turned(&pose, self.flanks[0], self.turn) };
         self.engagement.tooth().posed(&pose)
     }

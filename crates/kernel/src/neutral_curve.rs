@@ -1,12 +1,13 @@
 //! The deformed neutral curve of the flexspline's rim.
 
 use std::f64::consts::{FRAC_PI_2, PI};
+use std::sync::Arc;
 
-use crate::arc_length::ArcLength;
+use crate::arc_length::{self, ArcLength, Panels};
 use crate::ellipse;
 use crate::error::GeometryError;
 use crate::point::Point;
-use crate::ring_shape::RingShape;
+use crate::ring_shape::SampledShape;
 
 /// How a displacement w makes a curve of a circle of radius R.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,7 +32,7 @@ pub struct NeutralCurve {
 #[derive(Clone, Debug)]
 enum Form {
     /// r = base + amplitude · shape(φ), by the polar angle φ.
-    Polar { base: f64, amplitude: f64, shape: RingShape },
+    Polar { base: f64, amplitude: f64, shape: Arc<SampledShape> },
     /// The ellipse with semi-axes `major` (along +Y) and `minor`, moved outward by `offset`, by its eccentric angle.
     Ellipse { major: f64, minor: f64, offset: f64 },
 }
@@ -46,8 +47,8 @@ pub struct CurvePoint {
     pub curvature: f64,
 }
 
-/// Stations over the quadrant, for each wave of cos 2φ, at which the curve is checked.
-const STATIONS: usize = 128;
+/// How much finer than a cosine an ellipse is sampled.
+const ELLIPSE_FINENESS: usize = 2;
 
 impl NeutralCurve {
     /// The curve r(φ) that `shape` and `w0` make of a circle of radius `radius` (mm).
@@ -55,26 +56,28 @@ impl NeutralCurve {
     /// # Errors
     /// Numbers that are not finite or not positive, a shape that is none, a perimeter that cannot be kept, a curve that
     /// is not a convex loop about the origin.
-    pub fn polar(radius: f64, w0: f64, model: NeutralCurveModel, shape: RingShape) -> Result<Self, GeometryError> {
+    pub fn polar(
+        radius: f64,
+        w0: f64,
+        model: NeutralCurveModel,
+        shape: &Arc<SampledShape>,
+    ) -> Result<Self, GeometryError> {
         check_size(radius, w0)?;
-        shape.check()?;
         let (base, amplitude) = match model {
             NeutralCurveModel::FirstOrder => (radius, w0),
             NeutralCurveModel::Shifted => {
-                let c = keep_perimeter(
-                    radius,
-                    |c| Form::Polar { base: radius + c, amplitude: w0, shape: shape.clone() },
-                    0.0,
-                )?;
+                let c = keep_perimeter(radius, shape, |c| (radius + c, w0))?;
                 (radius + c, w0)
             }
             NeutralCurveModel::Inextensible => {
-                let form = |c| Form::Polar { base: radius + c, amplitude: w0 - c, shape: shape.clone() };
-                let c = keep_perimeter(radius, form, 0.0)?;
+                let c = keep_perimeter(radius, shape, |c| (radius + c, w0 - c))?;
                 (radius + c, w0 - c)
             }
         };
-        Self::checked(radius, w0, Form::Polar { base, amplitude, shape })
+        let at_nodes = shape.at_nodes.iter().map(|&f| polar_speed(base, amplitude, f));
+        let at_ends = shape.at_ends.iter().map(|&f| polar_speed(base, amplitude, f));
+        let arc_length = ArcLength::new(Arc::clone(&shape.panels), at_nodes, at_ends);
+        Self { radius, w0, form: Form::Polar { base, amplitude, shape: Arc::clone(shape) }, arc_length }.checked()
     }
 
     /// The curve at the distance `offset` outside the ellipse of a cam (`offset` = 0: the ellipse itself), with its
@@ -95,15 +98,18 @@ impl NeutralCurve {
         }
         let major = radius + w0 - offset;
         let minor = ellipse::minor_semi_axis(major, 2.0 * PI * (radius - offset))?;
-        Self::checked(radius, w0, Form::Ellipse { major, minor, offset })
+        let form = Form::Ellipse { major, minor, offset };
+        let panels = Arc::new(Panels::new(&[], ELLIPSE_FINENESS));
+        let speed = |&t: &f64| form.speed(t);
+        let arc_length =
+            ArcLength::new(Arc::clone(&panels), panels.nodes.iter().map(speed), panels.ends.iter().map(speed));
+        Self { radius, w0, form, arc_length }.checked()
     }
 
-    fn checked(radius: f64, w0: f64, form: Form) -> Result<Self, GeometryError> {
-        let arc_length = form.arc_length();
-        let curve = Self { radius, w0, form, arc_length };
-        for station in curve.stations() {
-            let CurvePoint { position, curvature, .. } = station;
-            let outward = station.normal.dot(position);
+    /// Refuses a curve that is not a convex loop about the origin.
+    fn checked(self) -> Result<Self, GeometryError> {
+        for CurvePoint { position, normal, curvature } in self.stations() {
+            let outward = normal.dot(position);
             // NaN must not pass either.
             if !(outward > 0.0 && curvature > 0.0 && outward.is_finite()) {
                 return Err(GeometryError::CurveNotSimple {
@@ -113,7 +119,7 @@ impl NeutralCurve {
                 });
             }
         }
-        Ok(curve)
+        Ok(self)
     }
 
     /// Radius of the undeformed neutral circle.
@@ -132,8 +138,11 @@ impl NeutralCurve {
     /// Points over the first quadrant, close enough that nothing happens between them; the first on the major axis, the
     /// last on the minor axis.
     pub fn stations(&self) -> impl Iterator<Item = CurvePoint> + '_ {
-        let count = STATIONS * self.form.fineness();
-        (0..=count).map(move |i| self.form.point(FRAC_PI_2 * i as f64 / count as f64))
+        let ends = &self.arc_length.panels().ends;
+        ends.iter().enumerate().map(move |(i, &t)| match &self.form {
+            Form::Polar { base, amplitude, shape } => polar_point(t, polar(*base, *amplitude, shape.at_ends[i])),
+            Form::Ellipse { .. } => self.form.point(t),
+        })
     }
 
     /// The point at arc length `s` from the major axis, clockwise; any real `s`.
@@ -191,21 +200,6 @@ impl NeutralCurve {
 }
 
 impl Form {
-    fn fineness(&self) -> usize {
-        match self {
-            Self::Polar { shape, .. } => shape.fineness(),
-            Self::Ellipse { .. } => 2,
-        }
-    }
-
-    fn arc_length(&self) -> ArcLength {
-        let breaks = match self {
-            Self::Polar { shape, .. } => shape.breaks(),
-            Self::Ellipse { .. } => vec![],
-        };
-        ArcLength::new(|t| self.speed(t), &breaks, self.fineness())
-    }
-
     /// The form's own parameter at the polar angle `phi`, 0 ≤ φ ≤ π/2.
     fn parameter(&self, phi: f64) -> f64 {
         match *self {
@@ -233,10 +227,7 @@ impl Form {
     /// Arc length per parameter.
     fn speed(&self, t: f64) -> f64 {
         match self {
-            Self::Polar { base, amplitude, shape } => {
-                let [f, f1, _] = shape.at(t);
-                (base + amplitude * f).hypot(amplitude * f1)
-            }
+            Self::Polar { base, amplitude, shape } => polar_speed(*base, *amplitude, shape.shape.at(t)),
             Self::Ellipse { major, minor, offset } => {
                 let (sin, cos) = t.sin_cos();
                 let speed_squared = (minor * cos).powi(2) + (major * sin).powi(2);
@@ -247,20 +238,10 @@ impl Form {
     }
 
     fn point(&self, t: f64) -> CurvePoint {
-        let (sin, cos) = t.sin_cos();
         match self {
-            Self::Polar { .. } => {
-                let [r, r1, r2] = self.polar(t);
-                let speed_squared = r * r + r1 * r1;
-                let speed = speed_squared.sqrt();
-                let radial = Point::new(sin, cos);
-                CurvePoint {
-                    position: radial * r,
-                    normal: (radial * r - radial.clockwise() * r1) * (1.0 / speed),
-                    curvature: (r * r + 2.0 * r1 * r1 - r * r2) / (speed_squared * speed),
-                }
-            }
+            Self::Polar { .. } => polar_point(t, self.polar(t)),
             Self::Ellipse { major, minor, offset } => {
+                let (sin, cos) = t.sin_cos();
                 let speed = (minor * cos).hypot(major * sin);
                 let normal = Point::new(major * sin, minor * cos) * (1.0 / speed);
                 let radius_of_curvature = speed.powi(3) / (major * minor);
@@ -276,10 +257,7 @@ impl Form {
     /// r and its first two derivatives by φ at the polar angle `phi`, 0 ≤ φ ≤ π/2.
     fn polar(&self, phi: f64) -> [f64; 3] {
         match self {
-            Self::Polar { base, amplitude, shape } => {
-                let [f, f1, f2] = shape.at(phi);
-                [base + amplitude * f, amplitude * f1, amplitude * f2]
-            }
+            Self::Polar { base, amplitude, shape } => polar(*base, *amplitude, shape.shape.at(phi)),
             Self::Ellipse { .. } => {
                 let CurvePoint { position, normal, curvature } = self.point(self.parameter(phi));
                 let r = position.norm();
@@ -289,6 +267,28 @@ impl Form {
                 [r, r1, (r * r + 2.0 * r1 * r1 - curvature * speed_squared * speed_squared.sqrt()) / r]
             }
         }
+    }
+}
+
+/// r and its derivatives from those of w/w0.
+fn polar(base: f64, amplitude: f64, [f, f1, f2]: [f64; 3]) -> [f64; 3] {
+    [base + amplitude * f, amplitude * f1, amplitude * f2]
+}
+
+/// Arc length per polar angle.
+fn polar_speed(base: f64, amplitude: f64, [f, f1, _]: [f64; 3]) -> f64 {
+    let (r, r1) = (base + amplitude * f, amplitude * f1);
+    (r * r + r1 * r1).sqrt()
+}
+
+fn polar_point(phi: f64, [r, r1, r2]: [f64; 3]) -> CurvePoint {
+    let speed_squared = r * r + r1 * r1;
+    let speed = speed_squared.sqrt();
+    let radial = Point::at_angle(phi);
+    CurvePoint {
+        position: radial * r,
+        normal: (radial * r - radial.clockwise() * r1) * (1.0 / speed),
+        curvature: (r * r + 2.0 * r1 * r1 - r * r2) / (speed_squared * speed),
     }
 }
 
@@ -342,12 +342,16 @@ fn check_size(radius: f64, w0: f64) -> Result<(), GeometryError> {
     Ok(())
 }
 
-/// The c for which `form(c)` has the perimeter 2πR, by the secant method.
-fn keep_perimeter(radius: f64, form: impl Fn(f64) -> Form, start: f64) -> Result<f64, GeometryError> {
+/// The c for which the curve with `form(c)` = (base, amplitude) has the perimeter 2πR, by the secant method.
+fn keep_perimeter(radius: f64, shape: &SampledShape, form: impl Fn(f64) -> (f64, f64)) -> Result<f64, GeometryError> {
     let wanted = 2.0 * PI * radius;
-    let excess = |c: f64| 4.0 * form(c).arc_length().quadrant() - wanted;
-    let (mut c0, mut e0) = (start, excess(start));
-    let mut c1 = start - e0 / (2.0 * PI);
+    let excess = |c: f64| {
+        let (base, amplitude) = form(c);
+        let speeds = shape.at_nodes.iter().map(|&f| polar_speed(base, amplitude, f));
+        4.0 * arc_length::quadrant(&shape.panels, speeds) - wanted
+    };
+    let (mut c0, mut e0) = (0.0, excess(0.0));
+    let mut c1 = -e0 / (2.0 * PI);
     for _ in 0..50 {
         let e1 = excess(c1);
         if e1.abs() <= 4.0 * f64::EPSILON * wanted || c1 == c0 {

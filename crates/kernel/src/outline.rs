@@ -1,6 +1,7 @@
 //! The outline of a body: a chain of pieces with the material on its right.
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use crate::finishing::SMOOTH;
 use crate::nearest::{Nearest, Place};
@@ -50,14 +51,26 @@ struct BoundingCircle {
     radius: f64,
 }
 
+impl BoundingCircle {
+    #[inline]
+    fn posed(&self, pose: &Pose) -> Self {
+        Self { center: pose.point(self.center), ..*self }
+    }
+
+    #[inline]
+    fn distance_to(&self, other: &Self) -> f64 {
+        (self.center - other.center).norm() - self.radius - other.radius
+    }
+}
+
 /// A chain of pieces. Its two ends are meant to lie out of reach of whatever is measured against it.
 #[derive(Clone, Debug)]
 pub struct Outline {
     segments: Vec<Segment>,
     bounds: Vec<BoundingCircle>,
-    origins: Vec<Origin>,
+    origins: Arc<[Origin]>,
     /// Whether the chain is smooth at the start of each piece; the open ends count as smooth.
-    smooth_starts: Vec<bool>,
+    smooth_starts: Arc<[bool]>,
 }
 
 impl Outline {
@@ -69,7 +82,7 @@ impl Outline {
             before.cross(after).abs() <= SMOOTH && before.dot(after) > 0.0
         }));
         let bounds = segments.iter().map(bounding_circle).collect();
-        Self { segments, bounds, origins, smooth_starts }
+        Self { segments, bounds, origins: origins.into(), smooth_starts: smooth_starts.into() }
     }
 
     /// One tooth of the flexspline with its rim, in the tooth frame.
@@ -133,12 +146,11 @@ impl Outline {
     }
 
     pub fn posed(&self, pose: &Pose) -> Self {
-        let move_bound = |b: &BoundingCircle| BoundingCircle { center: pose.point(b.center), ..*b };
         Self {
             segments: self.segments.iter().map(|s| s.posed(pose)).collect(),
-            bounds: self.bounds.iter().map(move_bound).collect(),
-            origins: self.origins.clone(),
-            smooth_starts: self.smooth_starts.clone(),
+            bounds: self.bounds.iter().map(|b| b.posed(pose)).collect(),
+            origins: Arc::clone(&self.origins),
+            smooth_starts: Arc::clone(&self.smooth_starts),
         }
     }
 
@@ -159,7 +171,7 @@ impl Outline {
     /// The corners of the outline.
     pub fn corners(&self) -> impl Iterator<Item = Point> + '_ {
         let corner = |(segment, smooth): (&Segment, &bool)| (!smooth).then(|| segment.start());
-        self.segments.iter().zip(&self.smooth_starts).filter_map(corner)
+        self.segments.iter().zip(self.smooth_starts.iter()).filter_map(corner)
     }
 
     /// Outward direction at a place: the normal, or at an end the mean of the two normals that meet there. Its side
@@ -225,8 +237,13 @@ impl Outline {
     /// A lower bound of the distance between two pieces of two outlines.
     #[inline]
     pub fn bound_between(&self, segment: usize, other: &Self, other_segment: usize) -> f64 {
-        let (a, b) = (&self.bounds[segment], &other.bounds[other_segment]);
-        (a.center - b.center).norm() - a.radius - b.radius
+        other.bounds[other_segment].distance_to(&self.bounds[segment])
+    }
+
+    /// The same for an outline seen through `pose`.
+    #[inline]
+    pub fn bound_between_posed(&self, segment: usize, pose: &Pose, other: &Self, other_segment: usize) -> f64 {
+        other.bounds[other_segment].distance_to(&self.bounds[segment].posed(pose))
     }
 
     /// A bound of the distance of the given pieces' points from the frame's origin.

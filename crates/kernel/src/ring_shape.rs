@@ -1,7 +1,9 @@
 //! w/w0, the radial displacement of the ring in units of w0, in the first quadrant.
 
 use std::f64::consts::FRAC_PI_2;
+use std::sync::Arc;
 
+use crate::arc_length::Panels;
 use crate::error::GeometryError;
 
 /// One stretch of a loaded ring, up to `phi_end`: w/w0 = p + (c + c_phi φ) cos φ + (s + s_phi φ) sin φ.
@@ -28,9 +30,19 @@ pub enum RingShape {
 }
 
 impl RingShape {
+    /// The shape with its samples, as [`NeutralCurve`](crate::NeutralCurve) takes it.
+    ///
     /// # Errors
     /// A shape without terms or with numbers that are not finite, or stretches that do not cover 0 … π/2.
-    pub fn check(&self) -> Result<(), GeometryError> {
+    pub fn sampled(self) -> Result<SampledShape, GeometryError> {
+        self.check()?;
+        let panels = Panels::new(&self.breaks(), self.fineness());
+        let at_nodes = panels.nodes.iter().map(|&phi| self.at(phi)).collect();
+        let at_ends = panels.ends.iter().map(|&phi| self.at(phi)).collect();
+        Ok(SampledShape { shape: self, panels: Arc::new(panels), at_nodes, at_ends })
+    }
+
+    fn check(&self) -> Result<(), GeometryError> {
         let (empty, finite, covers) = match self {
             Self::Harmonics(terms) => (terms.is_empty(), terms.iter().all(|c| c.is_finite()), true),
             Self::Pieces(pieces) => (
@@ -65,7 +77,7 @@ impl RingShape {
     }
 
     /// Where a derivative may jump, inside 0 … π/2.
-    pub fn breaks(&self) -> Vec<f64> {
+    fn breaks(&self) -> Vec<f64> {
         match self {
             Self::Harmonics(_) => vec![],
             Self::Pieces(pieces) => {
@@ -75,12 +87,23 @@ impl RingShape {
     }
 
     /// How many waves of cos 2φ fit into the finest detail: steers how finely the curve is integrated.
-    pub fn fineness(&self) -> usize {
+    fn fineness(&self) -> usize {
         match self {
             Self::Harmonics(terms) => terms.len().max(2) - 1,
             Self::Pieces(_) => 1,
         }
     }
+}
+
+/// A shape and its values where curves made of it are integrated: these do not depend on w0.
+#[derive(Clone, Debug)]
+pub struct SampledShape {
+    pub(crate) shape: RingShape,
+    pub(crate) panels: Arc<Panels>,
+    /// w/w0 and two derivatives at the panels' nodes.
+    pub(crate) at_nodes: Vec<[f64; 3]>,
+    /// The same at the panels' ends.
+    pub(crate) at_ends: Vec<[f64; 3]>,
 }
 
 impl RingPiece {

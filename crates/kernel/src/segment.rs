@@ -156,6 +156,16 @@ impl Segment {
         }
     }
 
+    /// Distance of `p` from its foot inside the piece; infinite where it has none.
+    #[inline]
+    pub fn distance_at_foot(&self, p: Point) -> f64 {
+        match self {
+            Self::Line(line) if line.holds(line.foot(p)) => line.height(p).abs(),
+            Self::Arc(arc) if arc.faces(p - arc.center) => arc.height(p).abs(),
+            _ => f64::INFINITY,
+        }
+    }
+
     /// Arc length of the foot of `p`, for a `p` whose nearest point is inside the piece.
     #[inline]
     pub fn foot(&self, p: Point) -> f64 {

@@ -9,64 +9,99 @@ use crate::segment::Segment;
 /// The closest points of two pieces.
 #[derive(Clone, Copy, Debug)]
 pub struct Separation {
-    pub distance: f64,
     pub a: Point,
     pub b: Point,
     pub place_a: Place,
     pub place_b: Place,
 }
 
-/// The closest points of `a` and `b`, provided that they do not cross: feet of a common normal, or an end of one piece
-/// and its nearest point on the other.
-pub fn separation(a: &Segment, b: &Segment) -> Separation {
-    let mut best = from_end(a, Place::Start, b);
-    let mut consider = |other: Separation| {
-        if other.distance < best.distance {
-            best = other;
-        }
-    };
-    consider(from_end(a, Place::End, b));
-    consider(from_end(b, Place::Start, a).swapped());
-    consider(from_end(b, Place::End, a).swapped());
+/// Distance of `a` and `b`, provided that they do not cross.
+///
+/// The closest points are the feet of a common normal, or an end of one piece and its foot on the other, or two ends. A
+/// common normal between two lines or circles that do not cross is the shortest of all ways, so it is asked first.
+#[inline]
+pub fn distance(a: &Segment, b: &Segment) -> f64 {
     if let Some(normal) = common_normal(a, b) {
-        consider(normal);
+        return normal.distance;
+    }
+    let (a_ends, b_ends) = ([a.start(), a.end()], [b.start(), b.end()]);
+    let mut squared = f64::INFINITY;
+    let mut to_foot = f64::INFINITY;
+    for p in a_ends {
+        for q in b_ends {
+            squared = squared.min((p - q).norm_squared());
+        }
+        to_foot = to_foot.min(b.distance_at_foot(p));
+    }
+    for q in b_ends {
+        to_foot = to_foot.min(a.distance_at_foot(q));
+    }
+    squared.sqrt().min(to_foot)
+}
+
+/// Where [`distance`] is found.
+pub fn separation(a: &Segment, b: &Segment) -> Separation {
+    if let Some(CommonNormal { on_a, on_b, .. }) = common_normal(a, b) {
+        return Separation { a: on_a, b: on_b, place_a: Place::Interior, place_b: Place::Interior };
+    }
+    let candidates = [
+        from_end(a, Place::Start, b),
+        from_end(a, Place::End, b),
+        from_end(b, Place::Start, a).swapped(),
+        from_end(b, Place::End, a).swapped(),
+    ];
+    let mut best = candidates[0];
+    for candidate in candidates {
+        if candidate.squared() < best.squared() {
+            best = candidate;
+        }
     }
     best
 }
 
 impl Separation {
     const fn swapped(self) -> Self {
-        Self { a: self.b, b: self.a, place_a: self.place_b, place_b: self.place_a, ..self }
+        Self { a: self.b, b: self.a, place_a: self.place_b, place_b: self.place_a }
     }
 
-    fn between(a: Point, b: Point) -> Self {
-        Self { distance: (b - a).norm(), a, b, place_a: Place::Interior, place_b: Place::Interior }
+    fn squared(&self) -> f64 {
+        (self.a - self.b).norm_squared()
     }
 }
 
 fn from_end(a: &Segment, end: Place, b: &Segment) -> Separation {
     let p = if end == Place::Start { a.start() } else { a.end() };
-    let nearest = b.nearest(p);
-    let q = match nearest.place {
+    let place_b = b.nearest(p).place;
+    let q = match place_b {
         Place::Start => b.start(),
         Place::Interior => b.point(b.foot(p)),
         Place::End => b.end(),
     };
-    Separation { distance: nearest.distance.abs(), a: p, b: q, place_a: end, place_b: nearest.place }
+    Separation { a: p, b: q, place_a: end, place_b }
+}
+
+struct CommonNormal {
+    distance: f64,
+    on_a: Point,
+    on_b: Point,
 }
 
 /// The common normal at which the distance is least, for pieces whose lines or circles do not cross. (Where these
 /// cross, the common normals are saddles.)
-fn common_normal(a: &Segment, b: &Segment) -> Option<Separation> {
+#[inline]
+fn common_normal(a: &Segment, b: &Segment) -> Option<CommonNormal> {
     match (a, b) {
         (Segment::Line(_), Segment::Line(_)) => None,
         (Segment::Line(line), Segment::Arc(arc)) => line_arc(line, arc),
-        (Segment::Arc(arc), Segment::Line(line)) => line_arc(line, arc).map(Separation::swapped),
+        (Segment::Arc(arc), Segment::Line(line)) => {
+            line_arc(line, arc).map(|n| CommonNormal { on_a: n.on_b, on_b: n.on_a, ..n })
+        }
         (Segment::Arc(a), Segment::Arc(b)) => arc_arc(a, b),
     }
 }
 
-fn line_arc(line: &Line, arc: &Arc) -> Option<Separation> {
+#[inline]
+fn line_arc(line: &Line, arc: &Arc) -> Option<CommonNormal> {
     let u = line.foot(arc.center);
     let height = line.height(arc.center);
     let radius = arc.radius.abs();
@@ -74,21 +109,34 @@ fn line_arc(line: &Line, arc: &Arc) -> Option<Separation> {
         return None;
     }
     let towards_line = line.normal * -height.signum();
-    arc.faces(towards_line).then(|| Separation::between(line.point(u), arc.center + towards_line * radius))
+    arc.faces(towards_line).then(|| CommonNormal {
+        distance: height.abs() - radius,
+        on_a: line.point(u),
+        on_b: arc.center + towards_line * radius,
+    })
 }
 
-fn arc_arc(a: &Arc, b: &Arc) -> Option<Separation> {
-    let direction = (b.center - a.center).unit()?;
-    let distance = (b.center - a.center).norm();
+#[inline]
+fn arc_arc(a: &Arc, b: &Arc) -> Option<CommonNormal> {
+    let between = b.center - a.center;
     let (r, s) = (a.radius.abs(), b.radius.abs());
-    let (on_a, on_b) = if distance > r + s {
-        (direction, -direction)
-    } else if distance + r < s {
-        (-direction, -direction)
-    } else if distance + s < r {
-        (direction, direction)
+    let squared = between.norm_squared();
+    // Which ends of the line of centres face each other: outside one another, a inside b, b inside a.
+    let (side_a, side_b) = if squared > (r + s) * (r + s) {
+        (1.0, -1.0)
+    } else if squared < (s - r) * (s - r) {
+        if r < s { (-1.0, -1.0) } else { (1.0, 1.0) }
     } else {
         return None;
     };
-    (a.faces(on_a) && b.faces(on_b)).then(|| Separation::between(a.center + on_a * r, b.center + on_b * s))
+    if squared == 0.0 || !a.faces(between * side_a) || !b.faces(between * side_b) {
+        return None;
+    }
+    let centers = squared.sqrt();
+    let direction = between * (1.0 / centers);
+    Some(CommonNormal {
+        distance: (centers + side_b * s - side_a * r).abs(),
+        on_a: a.center + direction * (side_a * r),
+        on_b: b.center + direction * (side_b * s),
+    })
 }

@@ -151,7 +151,7 @@ proptest! {
     #[test]
     fn contact_is_two_sided(variation in any_variation(), k in 0.0..38.0) {
         let engagement = variation.engagement();
-        let pose = engagement.relative_pose(k).tooth;
+        let pose = engagement.relative_pose(k);
         let right = |pose: &Pose| engagement.clearances(pose).right;
         // Sliding off the witness is second order in the gap: three rounds settle it.
         let mut contact = pose;
@@ -175,7 +175,7 @@ proptest! {
         prop_assert!(least.gap - least.lower_bound <= tolerance);
         for i in 0..2000 {
             let k = engagement.quarter() * f64::from(i) / 2000.0;
-            let found = engagement.clearances(&engagement.relative_pose(k).tooth);
+            let found = engagement.clearances(&engagement.relative_pose(k));
             prop_assert!(found.left.gap.min(found.right.gap) >= least.lower_bound, "at {k}");
         }
     }
@@ -185,14 +185,14 @@ proptest! {
 fn whole_turns_of_the_index_change_nothing() {
     let engagement = case_study();
     for k in [0.0, 3.7, 36.2, 50.9] {
-        let here = engagement.clearances(&engagement.relative_pose(k).tooth);
+        let here = engagement.clearances(&engagement.relative_pose(k));
         // Half a turn on is the second lobe; the mirrored index swaps the flanks.
         for same in [k + 102.0, k - 204.0] {
-            let there = engagement.clearances(&engagement.relative_pose(same).tooth);
+            let there = engagement.clearances(&engagement.relative_pose(same));
             assert_near(there.left.gap, here.left.gap, 1e-11);
             assert_near(there.right.gap, here.right.gap, 1e-11);
         }
-        let mirrored = engagement.clearances(&engagement.relative_pose(-k).tooth);
+        let mirrored = engagement.clearances(&engagement.relative_pose(-k));
         assert_near(mirrored.left.gap, here.right.gap, 1e-11);
     }
 }
@@ -205,7 +205,7 @@ fn circumferential_backlash_ends_in_contact() {
     let center = Point::new(0.0, -82.4);
     let corner = engagement.flexspline().segments()[0].end();
     for k in 0..=51 {
-        let pose = engagement.relative_pose(f64::from(k)).tooth;
+        let pose = engagement.relative_pose(f64::from(k));
         let arcs = engagement.circumferential(f64::from(k));
         for (arc, side) in [(arcs.left, -1.0), (arcs.right, 1.0)] {
             let gap = |arc: f64| {
@@ -243,7 +243,7 @@ fn a_difference_of_four_teeth_meets_every_space() {
     ring.gear.pitch_radius = 0.5 * MODULE * 208.0;
     let engagement = engagement(&flexspline(), &ring, 1.7);
     let gap = |k: f64| {
-        let found = engagement.clearances(&engagement.relative_pose(k).tooth);
+        let found = engagement.clearances(&engagement.relative_pose(k));
         found.left.gap.min(found.right.gap)
     };
     let step = 0.05;

@@ -4,7 +4,7 @@ mod common;
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use common::{NEUTRAL_RADIUS as R, W0, assert_near};
+use common::{NEUTRAL_RADIUS as R, W0, assert_near, polar};
 use strainwave_kernel::{NeutralCurve, NeutralCurveModel, RingPiece, RingShape};
 
 /// A ring under two opposite point loads: w/w0 = k [B sin φ + (π/2 − φ) cos φ − 4/π] with B = 1, k = 1/(π/2 − 4/π)
@@ -26,7 +26,7 @@ fn curves() -> Vec<NeutralCurve> {
     let mut curves = vec![NeutralCurve::ellipse(R, W0, 0.0).unwrap(), NeutralCurve::ellipse(R, W0, 11.3).unwrap()];
     for model in [FirstOrder, Shifted, Inextensible] {
         for shape in [RingShape::Harmonics(vec![0.0, 1.02, -0.03, 0.01]), two_roller()] {
-            curves.push(NeutralCurve::polar(R, W0, model, shape).unwrap());
+            curves.push(polar(R, W0, model, shape).unwrap());
         }
     }
     curves
@@ -47,10 +47,10 @@ fn the_perimeter_is_kept() {
     for w0 in [0.05, 0.848, 4.0] {
         for shape in [RingShape::Harmonics(vec![0.0, 1.0]), two_roller()] {
             for model in [Shifted, Inextensible] {
-                let curve = NeutralCurve::polar(R, w0, model, shape.clone()).unwrap();
+                let curve = polar(R, w0, model, shape.clone()).unwrap();
                 assert_near(curve.perimeter(), TAU * R, 1e-12 * TAU * R);
             }
-            let grown = NeutralCurve::polar(R, w0, FirstOrder, shape).unwrap();
+            let grown = polar(R, w0, FirstOrder, shape).unwrap();
             assert!(grown.perimeter() > TAU * R * (1.0 + 1e-7));
         }
         for offset in [0.0, 20.0] {
@@ -58,7 +58,7 @@ fn the_perimeter_is_kept() {
             assert_near(ellipse.perimeter(), TAU * R, 1e-12 * TAU * R);
             assert_near(ellipse.at_angle(0.0).position.y, R + w0, 1e-12 * R);
         }
-        let inextensible = NeutralCurve::polar(R, w0, Inextensible, two_roller()).unwrap();
+        let inextensible = polar(R, w0, Inextensible, two_roller()).unwrap();
         assert_near(inextensible.displacement(0.0)[0], w0, 1e-11);
     }
 }
@@ -137,14 +137,14 @@ fn tangential_displacement_tends_to_linear_theory() {
 #[test]
 fn impossible_curves_are_named_errors() {
     use NeutralCurveModel::FirstOrder;
-    let polar = |radius, w0, shape| NeutralCurve::polar(radius, w0, FirstOrder, shape).unwrap_err().code();
+    let code = |radius, w0, shape| polar(radius, w0, FirstOrder, shape).unwrap_err().code();
     let cosine = || RingShape::Harmonics(vec![0.0, 1.0]);
-    assert_eq!(polar(R, f64::NAN, cosine()), "not-finite");
-    assert_eq!(polar(R, -0.1, cosine()), "not-positive");
-    assert_eq!(polar(R, 200.0, cosine()), "curve-not-simple");
+    assert_eq!(code(R, f64::NAN, cosine()), "not-finite");
+    assert_eq!(code(R, -0.1, cosine()), "not-positive");
+    assert_eq!(code(R, 200.0, cosine()), "curve-not-simple");
     // Concave at the minor axis already.
-    assert_eq!(polar(R, 0.5 * R, cosine()), "curve-not-simple");
-    assert_eq!(polar(R, 0.8, RingShape::Harmonics(vec![])), "bad-shape");
-    assert_eq!(polar(R, 0.8, RingShape::Harmonics(vec![0.0, f64::INFINITY])), "not-finite");
+    assert_eq!(code(R, 0.5 * R, cosine()), "curve-not-simple");
+    assert_eq!(code(R, 0.8, RingShape::Harmonics(vec![])), "bad-shape");
+    assert_eq!(code(R, 0.8, RingShape::Harmonics(vec![0.0, f64::INFINITY])), "not-finite");
     assert_eq!(NeutralCurve::ellipse(R, 0.6 * R, 0.0).unwrap_err().code(), "no-such-ellipse");
 }

@@ -55,8 +55,8 @@ impl Engagement {
             values
                 .iter()
                 .map(|&k| {
-                    let pose = self.0.relative_pose(k);
-                    Rows::new(&self.0, &self.0.clearances(&pose.tooth), &pose.space)
+                    let found = self.0.clearances(&self.0.relative_pose(k));
+                    Rows::new(&self.0, &found, &self.0.space_pose(k))
                 })
                 .collect()
         });
@@ -80,7 +80,7 @@ impl Engagement {
 
     /// Pose of the tooth of index k in the frame of the space in which it stands: x, y, angle.
     fn relative_poses<'py>(&self, py: Python<'py>, index: Numbers<'py>) -> PyResult<Array<'py>> {
-        array::map(py, &index, |k| row(&self.0.relative_pose(k).tooth))
+        array::map(py, &index, |k| row(&self.0.relative_pose(k)))
     }
 
     fn circumferential<'py>(&self, py: Python<'py>, index: Numbers<'py>) -> PyResult<Array<'py>> {

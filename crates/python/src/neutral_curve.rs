@@ -1,3 +1,5 @@
+use std::sync::Arc;
+
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use strainwave_kernel as kernel;
@@ -99,6 +101,10 @@ impl NeutralCurve {
                 )));
             }
         };
-        kernel::NeutralCurve::polar(radius, w0, model, shape).map(Self).map_err(|e| raise(py, &e))
+        shape
+            .sampled()
+            .and_then(|shape| kernel::NeutralCurve::polar(radius, w0, model, &Arc::new(shape)))
+            .map(Self)
+            .map_err(|e| raise(py, &e))
     }
 }

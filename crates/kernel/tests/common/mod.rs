@@ -3,6 +3,7 @@
 #![allow(dead_code, reason = "each test binary uses its own part")]
 
 use std::f64::consts::FRAC_PI_2;
+use std::sync::Arc;
 
 use strainwave_kernel::{
     Engagement, Gear, GeometryError, NeutralCurve, NeutralCurveModel, Point, Profile, RingShape, Segment,
@@ -80,8 +81,12 @@ impl Tooth {
     }
 }
 
+pub fn polar(radius: f64, w0: f64, model: NeutralCurveModel, shape: RingShape) -> Result<NeutralCurve, GeometryError> {
+    NeutralCurve::polar(radius, w0, model, &Arc::new(shape.sampled()?))
+}
+
 pub fn cosine(w0: f64, model: NeutralCurveModel) -> NeutralCurve {
-    NeutralCurve::polar(NEUTRAL_RADIUS, w0, model, RingShape::Harmonics(vec![0.0, 1.0])).unwrap()
+    polar(NEUTRAL_RADIUS, w0, model, RingShape::Harmonics(vec![0.0, 1.0])).unwrap()
 }
 
 pub fn engagement(flexspline: &Tooth, circular_spline: &Tooth, w0: f64) -> Engagement {
