@@ -6,6 +6,10 @@ use crate::nearest::Place;
 use crate::point::Point;
 use crate::segment::Segment;
 
+/// Lines and circles that overlap by no more than this share of their size touch: rounding may hide the crossing, and
+/// then the common normal is the only witness of a contact.
+const ROUNDING: f64 = 1e-14;
+
 /// The closest points of two pieces.
 #[derive(Clone, Copy, Debug)]
 pub struct Separation {
@@ -105,12 +109,12 @@ fn line_arc(line: &Line, arc: &Arc) -> Option<CommonNormal> {
     let u = line.foot(arc.center);
     let height = line.height(arc.center);
     let radius = arc.radius.abs();
-    if height.abs() <= radius || !line.holds(u) {
+    if height.abs() <= radius - ROUNDING * (radius + u.abs()) || !line.holds(u) {
         return None;
     }
     let towards_line = line.normal * -height.signum();
     arc.faces(towards_line).then(|| CommonNormal {
-        distance: height.abs() - radius,
+        distance: (height.abs() - radius).max(0.0),
         on_a: line.point(u),
         on_b: arc.center + towards_line * radius,
     })
@@ -120,22 +124,24 @@ fn line_arc(line: &Line, arc: &Arc) -> Option<CommonNormal> {
 fn arc_arc(a: &Arc, b: &Arc) -> Option<CommonNormal> {
     let between = b.center - a.center;
     let (r, s) = (a.radius.abs(), b.radius.abs());
-    let squared = between.norm_squared();
+    let centers = between.norm();
+    let rounding = ROUNDING * (centers + r + s);
     // Which ends of the line of centres face each other: outside one another, a inside b, b inside a.
-    let (side_a, side_b) = if squared > (r + s) * (r + s) {
+    let (side_a, side_b) = if centers > r + s - rounding {
         (1.0, -1.0)
-    } else if squared < (s - r) * (s - r) {
-        if r < s { (-1.0, -1.0) } else { (1.0, 1.0) }
+    } else if centers + r < s + rounding {
+        (-1.0, -1.0)
+    } else if centers + s < r + rounding {
+        (1.0, 1.0)
     } else {
         return None;
     };
-    if squared == 0.0 || !a.faces(between * side_a) || !b.faces(between * side_b) {
+    if centers == 0.0 || !a.faces(between * side_a) || !b.faces(between * side_b) {
         return None;
     }
-    let centers = squared.sqrt();
     let direction = between * (1.0 / centers);
     Some(CommonNormal {
-        distance: (centers + side_b * s - side_a * r).abs(),
+        distance: (-side_b * side_a * (centers + side_b * s - side_a * r)).max(0.0),
         on_a: a.center + direction * (side_a * r),
         on_b: b.center + direction * (side_b * s),
     })

@@ -9,10 +9,13 @@
 //! - n lies in the cone that n₁ and n₂ span (so the signs differ): the tied point has depth d = s n₁·b at distance s from
 //!   C, while C itself lies −s n·b deep in the other body, which is more. The corner is then the witness, not the tie.
 //!
+//! Neither holds at a corner of the outline itself, where the depth may rise from both sides.
+//!
 //! Both need room for how much normals vary and bodies turn nearby; where there is none, nothing is proved.
 
 use std::ops::Range;
 
+use crate::nearest::Place;
 use crate::outline::Outline;
 use crate::segment::Segment;
 
@@ -83,6 +86,11 @@ impl Stretch {
         let (n1, n2) = (before.end_normal(), after.start_normal());
         if n1.cross(n2) >= 0.0 {
             return Verdict::Harmless;
+        }
+        let at_outline_corner = (self.from <= 0.0 && outline.is_corner(self.segment, Place::Start))
+            || (self.to >= piece.length() && outline.is_corner(self.segment, Place::End));
+        if at_outline_corner {
+            return Verdict::Unclear;
         }
 
         let bend = near.iter().map(|&i| body.segments()[i].curvature().abs()).fold(0.0, f64::max);
