@@ -1,0 +1,90 @@
+# Everything runs from here: `make help`. The only things needed are make, Python 3.11 or newer and a Rust toolchain.
+
+PYTHON ?= python3
+VENV := .venv
+BIN := $(VENV)/bin
+RUST_SOURCES := Cargo.toml $(wildcard Cargo.lock) pyproject.toml \
+	$(shell find crates -path '*/src/*.rs' -o -name Cargo.toml -o -name build.rs)
+DOCS_CONFIG := $(wildcard mkdocs.yml)
+
+# One interpreter for maturin and for cargo, so that neither rebuilds the binding of the other.
+export PYO3_PYTHON := $(CURDIR)/$(BIN)/python
+export VIRTUAL_ENV := $(CURDIR)/$(VENV)
+export PIP_DISABLE_PIP_VERSION_CHECK := 1
+
+.DEFAULT_GOAL := help
+.PHONY: help demo test soak bench docs fmt lock clean toolchain check-rust check-python
+
+help: ## Show this list
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-8s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
+
+demo: $(VENV)/kernel.stamp ## Set everything up and compute the case study (plot in build/)
+	@mkdir -p build
+	@rm -f build/case-study.png
+	$(BIN)/strainwave case-study --plot build/case-study.png
+	@echo "The backlash distribution of every case is drawn in build/case-study.png"
+
+test: check-rust check-python $(if $(DOCS_CONFIG),docs) ## Formatters, linters, typing, Rust and Python tests
+
+soak: $(VENV)/dev.stamp $(VENV)/kernel.stamp ## The random tests at twenty times their length
+	$(BIN)/pytest tests/property --soak
+
+bench: $(VENV)/dev.stamp $(VENV)/kernel.stamp ## Write every number that the README quotes
+	@for script in benchmarks/*.py; do echo "$$script"; $(BIN)/python "$$script" || exit 1; done
+
+docs: $(VENV)/dev.stamp $(VENV)/kernel.stamp ## Build the documentation site into site/
+	@test -n "$(DOCS_CONFIG)" || { echo "There is no mkdocs.yml yet."; exit 1; }
+	$(BIN)/mkdocs build --strict --quiet
+
+fmt: toolchain $(VENV)/dev.stamp ## Format Rust and Python, apply the linter's safe fixes
+	cargo fmt --all
+	$(BIN)/ruff format
+	$(BIN)/ruff check --fix
+
+lock: ## Renew the pinned versions in requirements*.txt
+	scripts/lock-requirements $(PYTHON)
+
+clean: ## Remove everything that was built or installed here
+	rm -rf $(VENV) build site target dist python/strainwave/_kernel*.so .mypy_cache .pytest_cache .ruff_cache .hypothesis
+	find python tests benchmarks -name __pycache__ -type d -prune -exec rm -rf {} + 2>/dev/null || true
+
+check-rust: toolchain $(VENV)/python.stamp
+	cargo fmt --all --check
+	cargo clippy --workspace --all-targets --quiet -- -D warnings
+	cargo test --package strainwave-kernel --quiet
+
+check-python: $(VENV)/dev.stamp $(VENV)/kernel.stamp
+	$(BIN)/ruff format --check
+	$(BIN)/ruff check
+	$(BIN)/mypy --strict python tests
+	$(BIN)/python -m mypy.stubtest strainwave._kernel --concise
+	$(BIN)/pytest
+
+toolchain:
+	@cargo fmt --version >/dev/null 2>&1 && cargo clippy --version >/dev/null 2>&1 || { \
+		echo "cargo has no rustfmt or no clippy. Run 'rustup component add rustfmt clippy'"; \
+		echo "or, with Debian's Rust, 'apt install rustfmt rust-clippy'."; exit 1; }
+
+$(VENV)/python.stamp:
+	@command -v $(PYTHON) >/dev/null && $(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { \
+		echo "$(PYTHON) is missing or older than 3.11. Install Python 3.11 or newer, or name one: make PYTHON=python3.12"; \
+		exit 1; }
+	@$(PYTHON) -c 'import venv, ensurepip' 2>/dev/null || { \
+		echo "$(PYTHON) has no venv module. On Debian run 'apt install python3-venv', then make again."; exit 1; }
+	$(PYTHON) -m venv $(VENV)
+	@touch $@
+
+$(VENV)/core.stamp: $(VENV)/python.stamp requirements.txt
+	$(BIN)/python -m pip install --quiet --requirement requirements.txt
+	@touch $@
+
+$(VENV)/dev.stamp: $(VENV)/core.stamp requirements-dev.txt
+	$(BIN)/python -m pip install --quiet --requirement requirements-dev.txt
+	@touch $@
+
+$(VENV)/kernel.stamp: $(VENV)/core.stamp $(RUST_SOURCES)
+	@cargo --version 2>/dev/null | awk '{split($$2, v, "."); new = v[1] > 1 || v[2] >= 85} END {exit !new}' || { \
+		echo "cargo is missing or older than 1.85. Install Rust 1.85 or newer with rustup (or from Debian 13 on:"; \
+		echo "apt install cargo), then make again."; exit 1; }
+	PATH="$(CURDIR)/$(BIN):$$PATH" $(BIN)/python -m pip install --quiet --no-deps --no-build-isolation --editable .
+	@touch $@
