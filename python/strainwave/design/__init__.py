@@ -1,0 +1,10 @@
+"""The design: what the user says, as a table of keys, read from and written to TOML."""
+
+from strainwave.design.design import Design
+from strainwave.design.reader import load, loads
+from strainwave.design.schema import json_schema
+from strainwave.design.splines import CircularSpline, Flexspline
+from strainwave.design.template import template
+from strainwave.design.writer import dumps, save
+
+__all__ = ["CircularSpline", "Design", "Flexspline", "dumps", "json_schema", "load", "loads", "save", "template"]

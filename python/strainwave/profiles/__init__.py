@@ -1,0 +1,16 @@
+"""Tooth profiles: one file a kind. A kind names the flank's arcs and lines; the kernel adds land, fillet and floor."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from pydantic import Field
+
+from strainwave.profiles.arc_line import ArcLine
+from strainwave.profiles.double_circular_arc import DoubleCircularArc
+from strainwave.profiles.pieces import Piece, Pieces
+from strainwave.profiles.tooth_profile import ToothProfile
+
+AnyProfile = Annotated[DoubleCircularArc | ArcLine | Pieces, Field(discriminator="kind")]
+
+__all__ = ["AnyProfile", "ArcLine", "DoubleCircularArc", "Piece", "Pieces", "ToothProfile"]

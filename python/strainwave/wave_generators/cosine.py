@@ -1,0 +1,20 @@
+"""The cam whose neutral curve is w0 cos 2 phi, the article's "elliptical cam"."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+import numpy as np
+
+from strainwave.wave_generators.shape import HarmonicShape
+from strainwave.wave_generators.wave_generator import ShapedWaveGenerator
+
+
+class Cosine(ShapedWaveGenerator):
+    """w = w0 cos 2 phi."""
+
+    kind: Literal["cosine"] = "cosine"
+
+    def shape(self, radius: float) -> HarmonicShape:
+        """One harmonic, whatever the radius; see `ShapedWaveGenerator.shape`."""
+        return HarmonicShape(np.array([0.0, 1.0]))

@@ -1,0 +1,34 @@
+"""The true elliptical cam."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Annotated, Literal
+
+from pydantic import Field
+
+from strainwave.quantities import EquidistantInMm
+from strainwave.wave_generators.wave_generator import WaveGenerator
+
+if TYPE_CHECKING:
+    from strainwave._kernel import NeutralCurve
+
+
+class Ellipse(WaveGenerator):
+    """A neutral curve that is an ellipse, or the equidistant of the cam's ellipse, with semi-axis R + w0 and the exact
+    perimeter of the neutral circle. It has no choice of neutral-curve model, for it keeps both by construction."""
+
+    kind: Literal["ellipse"] = "ellipse"
+    cam_to_neutral: Annotated[
+        EquidistantInMm,
+        Field(
+            description="Distance from the cam's ellipse out to the neutral curve (bearing and half the wall); "
+            "0 makes the neutral curve itself the ellipse",
+            examples=[12.8],
+        ),
+    ] = 0.0
+
+    def curve(self, radius: float) -> NeutralCurve:
+        """The equidistant ellipse; see `WaveGenerator.curve`."""
+        from strainwave._kernel import NeutralCurve
+
+        return NeutralCurve.ellipse(radius, self.w0, self.cam_to_neutral)

@@ -1,0 +1,57 @@
+"""What every wave generator has."""
+
+from __future__ import annotations
+
+from abc import abstractmethod
+from typing import TYPE_CHECKING, Annotated, Literal
+
+from pydantic import Field
+
+from strainwave.quantities import LengthInMm
+from strainwave.spec import Spec
+
+if TYPE_CHECKING:
+    from strainwave._kernel import NeutralCurve
+    from strainwave.wave_generators.shape import Shape
+
+NeutralCurveModel = Literal["inextensible", "shifted", "first-order"]
+
+
+class WaveGenerator(Spec):
+    """A two-lobed wave generator; its major axis is +Y, and the flexspline stands out by `w0` there."""
+
+    kind: str
+    w0: Annotated[
+        LengthInMm, Field(description="Radial displacement of the neutral curve at the major axis", examples=[0.848])
+    ]
+    bearing_height: Annotated[
+        LengthInMm | None, Field(description="Radial height of the bearing, for drawings only", examples=[12.0])
+    ] = None
+
+    @abstractmethod
+    def curve(self, radius: float) -> NeutralCurve:
+        """The deformed neutral curve of a flexspline whose neutral circle has `radius` mm.
+
+        Raises the kernel's GeometryError where there is no such simple curve.
+        """
+
+
+class ShapedWaveGenerator(WaveGenerator):
+    """A generator whose neutral curve is w0 times a shape w/w0 on the neutral circle, its perimeter kept or not."""
+
+    neutral_curve: Annotated[
+        NeutralCurveModel,
+        Field(
+            description="How w is put on the neutral circle of radius R: first-order r = R + w, as in the article; "
+            "shifted r = R + c + w, which keeps the perimeter; inextensible keeps the perimeter and r(0) = R + w0",
+            examples=["inextensible"],
+        ),
+    ] = "inextensible"
+
+    @abstractmethod
+    def shape(self, radius: float) -> Shape:
+        """w/w0 over the angle from the major axis, for a neutral circle of `radius` mm."""
+
+    def curve(self, radius: float) -> NeutralCurve:
+        """The deformed neutral curve; see `WaveGenerator.curve`."""
+        return self.shape(radius).curve(radius, self.w0, self.neutral_curve)
