@@ -1,15 +1,15 @@
 //! Arc length over one quadrant of a closed curve, and its inverse.
 //!
-//! The quadrant is cut into panels so short that a four-point rule integrates a smooth speed to rounding, and a cubic
+//! The quadrant is cut into panels so short that a three-point rule integrates a smooth speed to rounding, and a cubic
 //! through both ends inverts the arc length to nine digits: one Newton step gives the rest.
 
 use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
 
-/// Nodes (positive half) and weights of the 4-point Gauss-Legendre rule (Abramowitz and Stegun, table 25.4).
-const GAUSS: [(f64, f64); 2] =
-    [(0.339_981_043_584_856_26, 0.652_145_154_862_546_1), (0.861_136_311_594_052_6, 0.347_854_845_137_453_85)];
-const NODES: usize = 2 * GAUSS.len();
+/// Outer node, inner and outer weight of the 3-point Gauss-Legendre rule (Abramowitz and Stegun, table 25.4).
+const NODE: f64 = 0.774_596_669_241_483_4;
+const WEIGHTS: [f64; 2] = [8.0 / 9.0, 5.0 / 9.0];
+const NODES: usize = 3;
 
 /// Panels over the quadrant for a curve no finer than cos 2φ.
 const PANELS: usize = 64;
@@ -42,13 +42,11 @@ impl Panels {
 
 fn nodes(from: f64, to: f64) -> [f64; NODES] {
     let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
-    let [(inner, _), (outer, _)] = GAUSS;
-    [middle - half * outer, middle - half * inner, middle + half * inner, middle + half * outer]
+    [middle - half * NODE, middle, middle + half * NODE]
 }
 
 fn weighted(values: [f64; NODES], width: f64) -> f64 {
-    let [(_, inner), (_, outer)] = GAUSS;
-    0.5 * width * (inner * (values[1] + values[2]) + outer * (values[0] + values[3]))
+    0.5 * width * (WEIGHTS[0] * values[1] + WEIGHTS[1] * (values[0] + values[2]))
 }
 
 /// The quadrant of a curve from its speeds at all nodes.

@@ -136,17 +136,14 @@ impl Closest {
                 if self.crossing.is_some() {
                     return;
                 }
-                let bound = first.bound_between(i, second, j);
-                if bound > self.distance {
+                if first.bound_between(i, second, j) > self.distance {
                     continue;
                 }
                 let (a, b) = (&first.segments()[i], &second.segments()[j]);
-                if bound <= 0.0 {
-                    self.crossing = intersection::crossings(a, b).iter().next().map(|p| (i, j, p));
-                }
-                let found = distance(a, b);
-                if found < self.distance {
-                    (self.distance, self.pair) = (found, (i, j));
+                match distance(a, b) {
+                    Some(found) if found < self.distance => (self.distance, self.pair) = (found, (i, j)),
+                    Some(_) => {}
+                    None => self.crossing = intersection::crossings(a, b).iter().next().map(|p| (i, j, p)),
                 }
             }
         }

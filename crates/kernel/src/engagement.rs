@@ -41,6 +41,8 @@ pub struct Engagement {
     tooth_pieces: [Range<usize>; 2],
     space: Outline,
     space_pieces: [Range<usize>; 2],
+    tooth_corners: Vec<Point>,
+    space_corners: Vec<Point>,
     motion: ToothMotion,
     bounds: MotionBounds,
 }
@@ -64,7 +66,19 @@ impl Engagement {
             ..ToothMotion::new(curve.perimeter(), z_f, z_c)
         };
         let bounds = motion.bounds(&curve);
-        Ok(Self { flexspline, circular_spline, curve, tooth, tooth_pieces, space, space_pieces, motion, bounds })
+        Ok(Self {
+            tooth_corners: corners(&tooth),
+            space_corners: corners(&space),
+            flexspline,
+            circular_spline,
+            curve,
+            tooth,
+            tooth_pieces,
+            space,
+            space_pieces,
+            motion,
+            bounds,
+        })
     }
 
     pub const fn flexspline(&self) -> &Profile {
@@ -184,6 +198,18 @@ impl Engagement {
         self.space_pieces[flank as usize].clone()
     }
 
+    /// Least distance of a corner of a tooth at `pose` from a corner of the circular spline.
+    pub(crate) fn between_corners(&self, pose: &Pose) -> f64 {
+        let mut least = f64::INFINITY;
+        for corner in &self.tooth_corners {
+            let p = pose.point(*corner);
+            for q in &self.space_corners {
+                least = least.min((p - *q).norm_squared());
+            }
+        }
+        least.sqrt()
+    }
+
     /// Centre of the circular spline in the frame of a space.
     pub(crate) fn center(&self) -> Point {
         Point::new(0.0, -self.circular_spline.gear.pitch_radius)
@@ -212,6 +238,10 @@ impl Engagement {
     pub(crate) fn half_pitch(&self) -> f64 {
         PI / f64::from(self.circular_spline.gear.teeth)
     }
+}
+
+fn corners(outline: &Outline) -> Vec<Point> {
+    outline.corner_starts().map(|i| outline.segments()[i].start()).collect()
 }
 
 /// Smallest radius of a convex arc of a flank; land and floor have the gear's centre and are bounded on their own.

@@ -211,7 +211,7 @@ fn fit_fillet(gear: &Gear, flank: &mut [Segment], fillet_radius: f64) -> Result<
 fn check_simple(pieces: &[(Segment, Role)]) -> Result<(), GeometryError> {
     for (first, (a, _)) in pieces.iter().enumerate() {
         for (second, (b, _)) in pieces.iter().enumerate().skip(first + 2) {
-            if intersection::crossings(a, b).iter().next().is_some() {
+            if intersection::crossings(a, b).any() {
                 return Err(GeometryError::SelfCrossing { first, second });
             }
         }

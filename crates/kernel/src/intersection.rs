@@ -21,6 +21,10 @@ impl Points {
         Self { points: [p, q], count: 2 }
     }
 
+    pub const fn any(&self) -> bool {
+        self.count > 0
+    }
+
     pub fn iter(&self) -> impl Iterator<Item = Point> + '_ {
         self.points[..self.count].iter().copied()
     }

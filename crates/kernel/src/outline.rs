@@ -168,10 +168,9 @@ impl Outline {
         (a.min(b) + 1..=a.max(b)).filter(|&i| !self.smooth_starts[i])
     }
 
-    /// The corners of the outline.
-    pub fn corners(&self) -> impl Iterator<Item = Point> + '_ {
-        let corner = |(segment, smooth): (&Segment, &bool)| (!smooth).then(|| segment.start());
-        self.segments.iter().zip(self.smooth_starts.iter()).filter_map(corner)
+    /// The corners of the outline: each is the index of the piece that starts there.
+    pub fn corner_starts(&self) -> impl Iterator<Item = usize> + '_ {
+        (0..self.segments.len()).filter(|&i| !self.smooth_starts[i])
     }
 
     /// Outward direction at a place: the normal, or at an end the mean of the two normals that meet there. Its side
@@ -240,7 +239,13 @@ impl Outline {
         other.bounds[other_segment].distance_to(&self.bounds[segment])
     }
 
-    /// The same for an outline seen through `pose`.
+    /// A lower bound of the distance of a point from a piece.
+    #[inline]
+    pub fn bound_from(&self, segment: usize, p: Point) -> f64 {
+        (self.bounds[segment].center - p).norm() - self.bounds[segment].radius
+    }
+
+    /// The bound between two pieces for an outline seen through `pose`.
     #[inline]
     pub fn bound_between_posed(&self, segment: usize, pose: &Pose, other: &Self, other_segment: usize) -> f64 {
         other.bounds[other_segment].distance_to(&self.bounds[segment].posed(pose))

@@ -8,37 +8,38 @@
 //!
 //! The result is the same number as [`clearance`](crate::clearance) gives, which stays as the oracle of this one.
 
-use std::ops::Range;
-
 use crate::engagement::{Engagement, Flank};
-use crate::intersection;
 use crate::pose::Pose;
 use crate::separation::distance;
 
+/// A bound this many teeth of the fastest motion above the gap is good enough; nearer ones are replaced by the distance,
+/// which then lasts for several teeth.
+const PATIENCE: f64 = 3.0;
+
 /// The pursuit of one flank's gap.
-#[derive(Clone)]
 pub struct Pursuit<'a> {
     engagement: &'a Engagement,
     flank: Flank,
     rows: Vec<Row>,
+    /// Least key of each row.
+    row_keys: Vec<f64>,
     /// Keys of the pairs, row after row.
     keys: Vec<f64>,
+    /// How many pairs a row has: the pieces of one tooth of the circular spline.
+    row_length: usize,
     /// No point of the tooth lies farther from its frame's origin.
     tooth_radius: f64,
     /// No point has moved farther than this since the start.
     travelled: f64,
     pose: Option<Pose>,
-    /// The closest pair of the last pose: row and piece of the circular spline.
+    /// The pair that was closest at the last pose: row and place in the row.
     last: (usize, usize),
 }
 
-/// One piece of the tooth against some pieces of the circular spline.
-#[derive(Clone)]
+/// One piece of the tooth against the pieces of one tooth of the circular spline.
 struct Row {
     piece: usize,
-    others: Range<usize>,
-    first_key: usize,
-    key: f64,
+    first_other: usize,
 }
 
 impl<'a> Pursuit<'a> {
@@ -46,27 +47,24 @@ impl<'a> Pursuit<'a> {
         let (tooth, space) = (engagement.tooth(), engagement.space());
         let pieces = engagement.tooth_pieces(flank);
         let facing = engagement.space_pieces(flank);
-        let per_tooth = facing.len();
+        let row_length = facing.len();
         let mut rows = Vec::with_capacity(tooth.segments().len() + 3 * pieces.len());
-        let mut keys = 0;
         for piece in 0..tooth.segments().len() {
             // The flank's own pieces against the whole ring, the rest of the tooth against what faces the flank.
             let others = if pieces.contains(&piece) { 0..space.segments().len() } else { facing.clone() };
-            for start in others.step_by(per_tooth) {
-                rows.push(Row { piece, others: start..start + per_tooth, first_key: keys, key: f64::NEG_INFINITY });
-                keys += per_tooth;
-            }
+            rows.extend(others.step_by(row_length).map(|first_other| Row { piece, first_other }));
         }
-        let last = (0, rows[0].others.start);
         Self {
             engagement,
             flank,
+            row_keys: vec![f64::NEG_INFINITY; rows.len()],
+            keys: vec![f64::NEG_INFINITY; rows.len() * row_length],
             rows,
-            keys: vec![f64::NEG_INFINITY; keys],
+            row_length,
             tooth_radius: tooth.reach(0..tooth.segments().len()),
             travelled: 0.0,
             pose: None,
-            last,
+            last: (0, 0),
         }
     }
 
@@ -75,12 +73,12 @@ impl<'a> Pursuit<'a> {
         self.gap_below(pose, f64::INFINITY)
     }
 
-    /// The signed clearance of the flank at `pose`, or anything not below `limit` if the clearance is not.
+    /// The signed clearance of the flank at `pose`, or `limit` where the clearance is not below it.
     pub fn gap_below(&mut self, pose: &Pose, limit: f64) -> f64 {
         self.travel_to(pose);
         match self.closest(pose, limit) {
             Some(gap) if self.engagement.stands_free(pose) => gap,
-            _ => self.engagement.flank(&self.engagement.tooth().posed(pose), self.flank).gap,
+            _ => self.engagement.flank(&self.engagement.tooth().posed(pose), self.flank).gap.min(limit),
         }
     }
 
@@ -94,46 +92,40 @@ impl<'a> Pursuit<'a> {
     /// The least distance of any pair, if it is below `limit`; `None` where outlines cross.
     fn closest(&mut self, pose: &Pose, limit: f64) -> Option<f64> {
         let mut gap = limit;
-        let (last_row, last_piece) = self.last;
-        self.look(last_row, last_piece, pose, &mut gap)?;
+        let (row, place) = self.last;
+        self.look(row, place, pose, &mut gap)?;
         for row in 0..self.rows.len() {
-            if self.rows[row].key >= gap + self.travelled {
+            if self.row_keys[row] >= gap + self.travelled {
                 continue;
             }
-            let Range { start, end } = self.rows[row].others;
-            let first_key = self.rows[row].first_key;
-            let mut least = f64::INFINITY;
-            for other in start..end {
-                let key = first_key + other - start;
-                if self.keys[key] < gap + self.travelled {
-                    self.look(row, other, pose, &mut gap)?;
+            let first = row * self.row_length;
+            for place in 0..self.row_length {
+                if self.keys[first + place] < gap + self.travelled {
+                    self.look(row, place, pose, &mut gap)?;
                 }
-                least = least.min(self.keys[key]);
             }
-            self.rows[row].key = least;
+            self.row_keys[row] = self.keys[first..first + self.row_length].iter().fold(f64::INFINITY, |a, &b| a.min(b));
         }
         Some(gap)
     }
 
     /// Renews the key of a pair; `None` where it crosses.
-    fn look(&mut self, row: usize, other: usize, pose: &Pose, gap: &mut f64) -> Option<()> {
+    #[inline]
+    fn look(&mut self, row: usize, place: usize, pose: &Pose, gap: &mut f64) -> Option<()> {
         let (tooth, space) = (self.engagement.tooth(), self.engagement.space());
-        let Row { piece, ref others, first_key, .. } = self.rows[row];
-        let key = first_key + other - others.start;
+        let Row { piece, first_other } = self.rows[row];
+        let other = first_other + place;
+        let key = &mut self.keys[row * self.row_length + place];
         let bound = tooth.bound_between_posed(piece, pose, space, other);
-        if bound > *gap {
-            self.keys[key] = bound + self.travelled;
+        if bound > *gap + PATIENCE * self.engagement.bounds().slope {
+            *key = bound + self.travelled;
             return Some(());
         }
-        let (a, b) = (tooth.segments()[piece].posed(pose), &space.segments()[other]);
-        if bound <= 0.0 && intersection::crossings(&a, b).iter().next().is_some() {
-            return None;
-        }
-        let found = distance(&a, b);
-        self.keys[key] = found + self.travelled;
+        let found = distance(&tooth.segments()[piece].posed(pose), &space.segments()[other])?;
+        *key = found + self.travelled;
         if found < *gap {
             *gap = found;
-            self.last = (row, other);
+            self.last = (row, place);
         }
         Some(())
     }

@@ -1,6 +1,7 @@
 //! The closest points of two pieces that do not cross.
 
 use crate::arc::Arc;
+use crate::intersection;
 use crate::line::Line;
 use crate::nearest::Place;
 use crate::point::Point;
@@ -19,15 +20,20 @@ pub struct Separation {
     pub place_b: Place,
 }
 
-/// Distance of `a` and `b`, provided that they do not cross.
+/// Distance of `a` and `b`; `None` where they cross.
 ///
 /// The closest points are the feet of a common normal, or an end of one piece and its foot on the other, or two ends. A
-/// common normal between two lines or circles that do not cross is the shortest of all ways, so it is asked first.
+/// common normal of two lines or circles that do not meet is the shortest of all ways, so it is asked first.
 #[inline]
-pub fn distance(a: &Segment, b: &Segment) -> f64 {
-    if let Some(normal) = common_normal(a, b) {
-        return normal.distance;
+pub fn distance(a: &Segment, b: &Segment) -> Option<f64> {
+    match carriers(a, b) {
+        Carriers::Apart(Some(normal)) => Some(normal.distance),
+        Carriers::Meet if intersection::crossings(a, b).any() => None,
+        Carriers::Apart(None) | Carriers::Meet => Some(distance_of_ends(a, b)),
     }
+}
+
+fn distance_of_ends(a: &Segment, b: &Segment) -> f64 {
     let (a_ends, b_ends) = ([a.start(), a.end()], [b.start(), b.end()]);
     let mut squared = f64::INFINITY;
     let mut to_foot = f64::INFINITY;
@@ -43,9 +49,9 @@ pub fn distance(a: &Segment, b: &Segment) -> f64 {
     squared.sqrt().min(to_foot)
 }
 
-/// Where [`distance`] is found.
+/// Where [`distance`] is found, for pieces that do not cross.
 pub fn separation(a: &Segment, b: &Segment) -> Separation {
-    if let Some(CommonNormal { on_a, on_b, .. }) = common_normal(a, b) {
+    if let Carriers::Apart(Some(CommonNormal { on_a, on_b, .. })) = carriers(a, b) {
         return Separation { a: on_a, b: on_b, place_a: Place::Interior, place_b: Place::Interior };
     }
     let candidates = [
@@ -84,65 +90,73 @@ fn from_end(a: &Segment, end: Place, b: &Segment) -> Separation {
     Separation { a: p, b: q, place_a: end, place_b }
 }
 
+/// How the endless lines or whole circles that carry two pieces stand to each other.
+enum Carriers {
+    /// They do not meet. With the common normal at which their distance is least, if both pieces reach it.
+    Apart(Option<CommonNormal>),
+    /// They meet, or are two lines. (Common normals are then saddles of the distance.)
+    Meet,
+}
+
 struct CommonNormal {
     distance: f64,
     on_a: Point,
     on_b: Point,
 }
 
-/// The common normal at which the distance is least, for pieces whose lines or circles do not cross. (Where these
-/// cross, the common normals are saddles.)
 #[inline]
-fn common_normal(a: &Segment, b: &Segment) -> Option<CommonNormal> {
+fn carriers(a: &Segment, b: &Segment) -> Carriers {
     match (a, b) {
-        (Segment::Line(_), Segment::Line(_)) => None,
+        (Segment::Line(_), Segment::Line(_)) => Carriers::Meet,
         (Segment::Line(line), Segment::Arc(arc)) => line_arc(line, arc),
-        (Segment::Arc(arc), Segment::Line(line)) => {
-            line_arc(line, arc).map(|n| CommonNormal { on_a: n.on_b, on_b: n.on_a, ..n })
-        }
+        (Segment::Arc(arc), Segment::Line(line)) => match line_arc(line, arc) {
+            Carriers::Apart(Some(n)) => Carriers::Apart(Some(CommonNormal { on_a: n.on_b, on_b: n.on_a, ..n })),
+            other => other,
+        },
         (Segment::Arc(a), Segment::Arc(b)) => arc_arc(a, b),
     }
 }
 
 #[inline]
-fn line_arc(line: &Line, arc: &Arc) -> Option<CommonNormal> {
+fn line_arc(line: &Line, arc: &Arc) -> Carriers {
     let u = line.foot(arc.center);
     let height = line.height(arc.center);
     let radius = arc.radius.abs();
-    if height.abs() <= radius - ROUNDING * (radius + u.abs()) || !line.holds(u) {
-        return None;
+    if height.abs() <= radius - ROUNDING * (radius + u.abs()) {
+        return Carriers::Meet;
     }
     let towards_line = line.normal * -height.signum();
-    arc.faces(towards_line).then(|| CommonNormal {
+    let reached = line.holds(u) && arc.faces(towards_line);
+    Carriers::Apart(reached.then(|| CommonNormal {
         distance: (height.abs() - radius).max(0.0),
         on_a: line.point(u),
         on_b: arc.center + towards_line * radius,
-    })
+    }))
 }
 
 #[inline]
-fn arc_arc(a: &Arc, b: &Arc) -> Option<CommonNormal> {
+fn arc_arc(a: &Arc, b: &Arc) -> Carriers {
     let between = b.center - a.center;
-    let (r, s) = (a.radius.abs(), b.radius.abs());
     let centers = between.norm();
+    let (r, s) = (a.radius.abs(), b.radius.abs());
     let rounding = ROUNDING * (centers + r + s);
     // Which ends of the line of centres face each other: outside one another, a inside b, b inside a.
-    let (side_a, side_b) = if centers > r + s - rounding {
-        (1.0, -1.0)
+    let (side_a, side_b, distance) = if centers > r + s - rounding {
+        (1.0, -1.0, centers - r - s)
     } else if centers + r < s + rounding {
-        (-1.0, -1.0)
+        (-1.0, -1.0, s - r - centers)
     } else if centers + s < r + rounding {
-        (1.0, 1.0)
+        (1.0, 1.0, r - s - centers)
     } else {
-        return None;
+        return Carriers::Meet;
     };
-    if centers == 0.0 || !a.faces(between * side_a) || !b.faces(between * side_b) {
-        return None;
-    }
-    let direction = between * (1.0 / centers);
-    Some(CommonNormal {
-        distance: (-side_b * side_a * (centers + side_b * s - side_a * r)).max(0.0),
-        on_a: a.center + direction * (side_a * r),
-        on_b: b.center + direction * (side_b * s),
-    })
+    let reached = centers > 0.0 && a.faces(between * side_a) && b.faces(between * side_b);
+    Carriers::Apart(reached.then(|| {
+        let direction = between * (1.0 / centers);
+        CommonNormal {
+            distance: distance.max(0.0),
+            on_a: a.center + direction * (side_a * r),
+            on_b: b.center + direction * (side_b * s),
+        }
+    }))
 }

@@ -1,15 +1,13 @@
 //! Where the nearest piece of a body may change abruptly.
 //!
-//! Inside a body the depth has upward kinks over the tooth index only where a deepest point is equally near to two
-//! pieces. Pieces that meet smoothly make none, nor does a reflex corner, around which the nearest point moves steadily.
-//! At a convex corner C two cases make none either. With n₁, n₂ the normals that meet at C, b their bisector, and n, t
-//! normal and tangent of the outline at the tied point:
+//! Inside a body the depth has upward kinks over the tooth index only where a deepest point p of the other outline is
+//! equally near to two pieces. Shallow inside, that happens on the bisector of a corner C. A reflex corner does no harm:
+//! the nearest point moves steadily around it. With n₁, n₂ the normals that meet at a convex corner, b their bisector and
+//! n, t normal and tangent of the outline at p, two cases do none either:
 //!
-//! - t·n₁ and t·n₂ have one sign: the depth rises or falls through the tie, so the tie is not deepest;
-//! - n lies in the cone that n₁ and n₂ span (so the signs differ): the tied point has depth d = s n₁·b at distance s from
-//!   C, while C itself lies −s n·b deep in the other body, which is more. The corner is then the witness, not the tie.
-//!
-//! Neither holds at a corner of the outline itself, where the depth may rise from both sides.
+//! - t·n₁ and t·n₂ have one sign: the depth rises or falls through the tie, so p is not deepest;
+//! - n points into the cone that −n₁ and −n₂ span (so the signs differ): at distance s from C the point p has the depth
+//!   s n₁·b, while C itself lies −s n·b deep in the other body, which is more. The corner is then the witness, not p.
 //!
 //! Both need room for how much normals vary and bodies turn nearby; where there is none, nothing is proved.
 
@@ -17,7 +15,10 @@ use std::ops::Range;
 
 use crate::nearest::Place;
 use crate::outline::Outline;
-use crate::segment::Segment;
+use crate::point::Point;
+
+/// Sides that bend by more than this (rad) within reach of a corner are not taken for straight.
+const STRAIGHT: f64 = 0.1;
 
 /// How far poses may differ from the one at hand.
 #[derive(Clone, Copy, Debug)]
@@ -26,95 +27,87 @@ pub struct Neighbourhood {
     pub moved: f64,
     /// No body turns farther than this (rad).
     pub turned: f64,
-    /// Only points with a signed distance up to this (mm) can be witnesses.
-    pub reach: f64,
+    /// No point gets deeper than this (mm).
+    pub depth: f64,
 }
 
-/// Whether no tie can be the deepest point of the given pieces of `outline` in `body`, anywhere in the neighbourhood.
-///
-/// Pieces are split until each stretch is out of reach, is near one smooth run of the body only, or falls under a case
-/// of the module's list; `false` if that fails at the scale of the movement.
-pub fn free_of_ties(outline: &Outline, pieces: Range<usize>, body: &Outline, around: &Neighbourhood) -> bool {
-    let mut open: Vec<Stretch> =
-        pieces.map(|segment| Stretch { segment, from: 0.0, to: outline.segments()[segment].length() }).collect();
-    while let Some(stretch) = open.pop() {
-        match stretch.judge(outline, body, around) {
-            Verdict::Harmless => {}
-            Verdict::Unclear if stretch.to - stretch.from < 0.5 * around.moved => return false,
-            Verdict::Unclear => open.extend(stretch.halves()),
-        }
+/// The pieces of an outline whose points count for a flank.
+pub struct Side<'a> {
+    pub outline: &'a Outline,
+    pub counted: Range<usize>,
+}
+
+/// Whether no tied point of either outline can be the deepest one in the other body, anywhere in the neighbourhood.
+pub fn free_of_ties(first: &Side, second: &Side, around: &Neighbourhood) -> bool {
+    [(first, second), (second, first)]
+        .iter()
+        .all(|(side, body)| body.outline.corner_starts().all(|corner| harmless(side, body, corner, around)))
+}
+
+/// Whether no tie on the bisector of one corner, where piece `corner` of the body starts, can be deepest.
+fn harmless(side: &Side, body: &Side, corner: usize, around: &Neighbourhood) -> bool {
+    let may_be_witness = body.counted.contains(&corner);
+    let body = body.outline;
+    let (before, after) = (&body.segments()[corner - 1], &body.segments()[corner]);
+    let (n1, n2) = (before.end_normal(), after.start_normal());
+    if n1.cross(n2) >= 0.0 {
+        return true;
     }
-    true
-}
-
-enum Verdict {
-    Harmless,
-    Unclear,
-}
-
-/// Part of a piece of an outline.
-#[derive(Clone, Copy)]
-struct Stretch {
-    segment: usize,
-    from: f64,
-    to: f64,
-}
-
-impl Stretch {
-    fn halves(self) -> [Self; 2] {
-        let middle = 0.5 * (self.from + self.to);
-        [Self { to: middle, ..self }, Self { from: middle, ..self }]
+    let Some(bisector) = (n1 + n2).unit() else { return false };
+    let sharpness = n1.dot(bisector);
+    // A tied point of depth d lies d / sharpness from a corner with straight sides.
+    let reach = (1.0 + STRAIGHT) * around.depth / sharpness + around.moved;
+    let at = after.start();
+    let Some(near) = NearRun::around(side, at, reach) else { return true };
+    let bend = reach * before.curvature().abs().max(after.curvature().abs());
+    if bend > STRAIGHT || near.has_corner {
+        return false;
     }
 
-    fn judge(&self, outline: &Outline, body: &Outline, around: &Neighbourhood) -> Verdict {
-        let piece = &outline.segments()[self.segment];
-        let (middle, half) = (0.5 * (self.from + self.to), 0.5 * (self.to - self.from));
-        let p = piece.point(middle);
-        let nearest = body.signed_distance(p);
-        if nearest.value - half > around.reach {
-            return Verdict::Harmless;
-        }
-        let within = nearest.value.abs() + 2.0 * (half + around.moved);
-        let near = |i: &usize| body.segments()[*i].nearest(p).distance.abs() <= within;
-        let near: Vec<usize> = (0..body.segments().len()).filter(near).collect();
-        let mut corners = near.iter().flat_map(|&i| body.corners_between(i, nearest.segment));
-        let Some(corner) = corners.next() else { return Verdict::Harmless };
-        if corners.any(|other| other != corner) {
-            return Verdict::Unclear;
-        }
-        let (before, after) = (&body.segments()[corner - 1], &body.segments()[corner]);
-        let (n1, n2) = (before.end_normal(), after.start_normal());
-        if n1.cross(n2) >= 0.0 {
-            return Verdict::Harmless;
-        }
-        let at_outline_corner = (self.from <= 0.0 && outline.is_corner(self.segment, Place::Start))
-            || (self.to >= piece.length() && outline.is_corner(self.segment, Place::End));
-        if at_outline_corner {
-            return Verdict::Unclear;
-        }
-
-        let bend = near.iter().map(|&i| body.segments()[i].curvature().abs()).fold(0.0, f64::max);
-        let spread = half * piece.curvature().abs() + within * bend + around.turned;
-        let (normal, tangent) = (piece.normal(middle), piece.tangent(middle));
-        let (along_1, along_2) = (tangent.dot(n1), tangent.dot(n2));
-        if along_1.min(along_2) > spread || along_1.max(along_2) < -spread {
-            return Verdict::Harmless;
-        }
-        let Some(bisector) = (n1 + n2).unit() else { return Verdict::Unclear };
-        let at_corner = after.start();
-        let distance = (p - at_corner).norm() + half + around.moved;
-        let room = -normal.dot(bisector) - n1.dot(bisector) - spread - distance * greatest_curvature(outline);
-        let alone = |i: usize, other: &Segment| {
-            outline.corners_between(i, self.segment).next().is_none()
-                || other.nearest(at_corner).distance.abs() > distance + around.moved
-        };
-        if room > 0.0 && outline.segments().iter().enumerate().all(|(i, other)| alone(i, other)) {
-            return Verdict::Harmless;
-        }
-        Verdict::Unclear
-    }
+    // Within reach the outline runs at most twice the reach from its foot.
+    let spread = 2.0 * reach * near.curvature + bend + around.turned;
+    let tangent = near.normal.clockwise();
+    let (along_1, along_2) = (tangent.dot(n1), tangent.dot(n2));
+    let passes_through = along_1.min(along_2) > spread || along_1.max(along_2) < -spread;
+    let corner_is_deeper = -near.normal.dot(bisector) - sharpness > spread;
+    passes_through || (may_be_witness && corner_is_deeper)
 }
 
-fn greatest_curvature(outline: &Outline) -> f64 {
-    outline.segments().iter().map(|s| s.curvature().abs()).fold(0.0, f64::max)
+/// The pieces of an outline within reach of a point.
+struct NearRun {
+    /// Normal at the foot of the point.
+    normal: Point,
+    /// Greatest curvature of any of them.
+    curvature: f64,
+    /// Whether a corner of the outline is within reach, or the pieces do not hang together.
+    has_corner: bool,
+}
+
+impl NearRun {
+    /// `None` where no counted piece is within reach.
+    fn around(side: &Side, p: Point, reach: f64) -> Option<Self> {
+        let outline = side.outline;
+        let mut near: Vec<(usize, f64)> = Vec::new();
+        for (index, piece) in outline.segments().iter().enumerate() {
+            if outline.bound_from(index, p) <= reach {
+                let distance = piece.nearest(p).distance.abs();
+                if distance <= reach {
+                    near.push((index, distance));
+                }
+            }
+        }
+        if !near.iter().any(|(index, _)| side.counted.contains(index)) {
+            return None;
+        }
+        let (first, last) = (near[0].0, near[near.len() - 1].0);
+        let within = |index: usize, place, end: Point| outline.is_corner(index, place) && (end - p).norm() <= reach;
+        let segments = outline.segments();
+        let has_corner = outline.corners_between(first, last).next().is_some()
+            || within(first, Place::Start, segments[first].start())
+            || within(last, Place::End, segments[last].end());
+        let curvature = near.iter().map(|&(index, _)| segments[index].curvature().abs()).fold(0.0, f64::max);
+        let (nearest, _) = near.iter().copied().min_by(|a, b| a.1.total_cmp(&b.1))?;
+        let normal = segments[nearest].normal(segments[nearest].foot(p));
+        Some(Self { normal, curvature, has_corner })
+    }
 }
