@@ -121,7 +121,7 @@ impl fmt::Display for GeometryError {
             }
             Self::EmptyChain => write!(f, "the flank has no pieces"),
             Self::BadSegment { segment, length_mm } => {
-                write!(f, "piece {segment} has length {length_mm} mm; it must be greater than 0")
+                write!(f, "piece {segment} has length {length_mm:.4} mm; it must be greater than 0")
             }
             Self::ArcTooLong { segment, sweep_rad } => {
                 write!(f, "piece {segment} sweeps {:.3}°; an arc must sweep less than 180°", sweep_rad.to_degrees())
@@ -130,27 +130,30 @@ impl fmt::Display for GeometryError {
                 write!(f, "piece {segment} starts {gap_mm:.3e} mm away from the end of the piece before it")
             }
             Self::RadiusVanishes { segment, radius_mm, offset_mm } => {
-                write!(f, "an offset of {offset_mm} mm turns piece {segment}, of radius {radius_mm} mm, inside out")
+                write!(
+                    f,
+                    "an offset of {offset_mm:.4} mm turns piece {segment}, of radius {radius_mm:.4} mm, inside out"
+                )
             }
             Self::OffsetOpensJoin { segment, offset_mm } => {
-                write!(f, "after an offset of {offset_mm} mm, piece {segment} no longer meets the piece before it")
+                write!(f, "after an offset of {offset_mm:.4} mm, piece {segment} no longer meets the piece before it")
             }
             Self::TipNotReached { tip_radius_mm } => {
                 write!(
                     f,
-                    "the first piece of the flank does not reach the addendum circle of radius {tip_radius_mm} mm"
+                    "the first piece of the flank does not reach the addendum circle of radius {tip_radius_mm:.4} mm"
                 )
             }
             Self::TipPointed { tip_x_mm } => write!(
                 f,
-                "the flank meets the addendum circle at x = {tip_x_mm} mm, on or beyond the tooth's axis: no tip land is left"
+                "the flank meets the addendum circle at x = {tip_x_mm:.4} mm, on or beyond the tooth's axis: no tip land is left"
             ),
             Self::RootNotReached { root_radius_mm } => {
-                write!(f, "the last piece of the flank does not reach the root circle of radius {root_radius_mm} mm")
+                write!(f, "the last piece of the flank does not reach the root circle of radius {root_radius_mm:.4} mm")
             }
             Self::FilletDoesNotFit { fillet_radius_mm } => write!(
                 f,
-                "a root fillet of radius {fillet_radius_mm} mm does not fit between the flank and the root circle"
+                "a root fillet of radius {fillet_radius_mm:.4} mm does not fit between the flank and the root circle"
             ),
             Self::SpaceTooNarrow { end_angle_rad, half_pitch_rad } => write!(
                 f,
@@ -163,15 +166,18 @@ impl fmt::Display for GeometryError {
             }
             Self::CurveNotSimple { phi_rad, radius_mm, curvature_per_mm } => write!(
                 f,
-                "the neutral curve is not a convex loop: at φ = {:.3}° its radius is {radius_mm} mm and its curvature {curvature_per_mm} 1/mm",
+                "the neutral curve is not a convex loop: at φ = {:.3}° its radius is {radius_mm:.4} mm and its curvature {curvature_per_mm:.4e} 1/mm",
                 phi_rad.to_degrees()
             ),
             Self::NoSuchEllipse { major_semi_axis_mm, perimeter_mm } => {
-                write!(f, "no ellipse has the semi-axis {major_semi_axis_mm} mm and the perimeter {perimeter_mm} mm")
+                write!(
+                    f,
+                    "no ellipse has the semi-axis {major_semi_axis_mm:.4} mm and the perimeter {perimeter_mm:.4} mm"
+                )
             }
             Self::PerimeterNotKept { perimeter_mm, wanted_mm } => write!(
                 f,
-                "the perimeter {wanted_mm} mm cannot be kept with this displacement (nearest {perimeter_mm} mm)"
+                "the perimeter {wanted_mm:.4} mm cannot be kept with this displacement (nearest {perimeter_mm:.4} mm)"
             ),
             Self::BadShape { reason } => write!(f, "{reason}"),
             Self::TeethDoNotMesh { flexspline, circular_spline } => write!(
