@@ -1,0 +1,24 @@
+"""Results: what the geometry of a design means in micrometres of backlash and interference."""
+
+from strainwave.analysis.analysis import Analysis
+from strainwave.analysis.analyze import analyze
+from strainwave.analysis.counts import ToothCount
+from strainwave.analysis.figures import GeometryFigures
+from strainwave.analysis.gap_curve import CertifiedMinimum, GapCurve
+from strainwave.analysis.lobe import lobe_teeth
+from strainwave.analysis.play import Play
+from strainwave.analysis.teeth import Teeth
+from strainwave.analysis.witness import Witnesses
+
+__all__ = [
+    "Analysis",
+    "CertifiedMinimum",
+    "GapCurve",
+    "GeometryFigures",
+    "Play",
+    "Teeth",
+    "ToothCount",
+    "Witnesses",
+    "analyze",
+    "lobe_teeth",
+]

@@ -1,0 +1,51 @@
+"""The verbs of the command line."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+from strainwave.cli.analyze import analyze
+from strainwave.cli.case_study import case_study
+from strainwave.cli.new import new
+from strainwave.cli.validate import validate
+
+app = typer.Typer(
+    invoke_without_command=True,
+    add_completion=False,
+    rich_markup_mode="rich",
+    context_settings={"help_option_names": ["-h", "--help"]},
+    epilog="Lengths are in mm, clearances in µm (a gap is positive, the depth of an interference negative), angles in "
+    "degrees.",
+)
+
+
+def _print_version(asked: bool) -> None:
+    if asked:
+        from strainwave import __version__
+
+        typer.echo(f"strainwave {__version__}")
+        raise typer.Exit
+
+
+@app.callback()
+def strainwave(
+    context: typer.Context,
+    version: Annotated[
+        bool, typer.Option("--version", callback=_print_version, is_eager=True, help="Print the version and exit.")
+    ] = False,
+) -> None:
+    """Backlash and interference of strain wave gears, of every tooth pair, exactly."""
+    if context.invoked_subcommand is None:
+        typer.echo(context.get_help())
+
+
+def _example(text: str) -> str:
+    return f"[dim]Example:[/dim]  {text}"
+
+
+app.command(epilog=_example("strainwave new --out my-gear.toml"))(new)
+app.command(epilog=_example("strainwave validate my-gear.toml"))(validate)
+app.command(epilog=_example("strainwave analyze my-gear.toml --check --plot backlash.png"))(analyze)
+app.command(name="case-study", epilog=_example("strainwave case-study --plot case-study.png"))(case_study)
