@@ -25,10 +25,10 @@ class GeometryError(ValueError):
 class Profile:
     """One half (x >= 0) of a symmetric tooth by arc length, from the tooth's axis at the tip to mid-space.
 
-    `flank` is the nominal flank as rows x, y, normal angle, curvature, length, shape (n, 5), without tip land, fillet and
-    root floor: it is moved by `offset` along its normal, its first piece is cut or extended to the addendum circle, its
-    last to the root circle (with a tangent fillet where `fillet_radius` > 0), and land and floor, arcs about the gear's
-    centre, are added. `internal` is true for the circular spline. Raises `GeometryError`.
+    `flank` is the nominal flank as rows x, y, normal angle, curvature, length, shape (n, 5), without tip land, fillet
+    and root floor: it is moved by `offset` along its normal, its first piece is cut or extended to the addendum circle,
+    its last to the root circle (with a tangent fillet where `fillet_radius` > 0), and land and floor, arcs about the
+    gear's centre, are added. `internal` is true for the circular spline. Raises `GeometryError`.
     """
 
     def __new__(
@@ -126,15 +126,15 @@ class Engagement:
     def circular_spline_poses(self, index: ArrayLike) -> NDArray[np.float64]:
         """Frames of the teeth clockwise of spaces `index` as x, y, angle; shape index.shape + (3,)."""
     def relative_poses(self, index: ArrayLike) -> NDArray[np.float64]:
-        """Flexspline tooth frames as x, y, angle in the frame of the space in which they stand: origin on its axis at the
-        circular spline's pitch circle, y outward; shape index.shape + (3,)."""
+        """Flexspline tooth frames as x, y, angle in the frame of the space in which they stand: origin on its axis at
+        the circular spline's pitch circle, y outward; shape index.shape + (3,)."""
     def clearances(self, index: ArrayLike) -> Clearances:
         """Signed clearances of both flanks; points and normals in the global frame at generator angle 0."""
     def clearances_at(self, poses: ArrayLike) -> Clearances:
         """The same for any poses in the frame of a space, shape (..., 3); points and normals in that frame."""
     def circumferential(self, index: ArrayLike) -> NDArray[np.float64]:
-        """Arcs at the circular spline's pitch circle through which it turns until the left, the right flank touches; nan
-        where half a pitch brings no contact; shape index.shape + (2,)."""
+        """Arcs at the circular spline's pitch circle through which it turns until the left, the right flank touches;
+        nan where half a pitch brings no contact; shape index.shape + (2,)."""
     def radial_clearances(self, index: ArrayLike) -> NDArray[np.float64]:
         """Flexspline tip to circular-spline root circle, circular-spline tip circle to flexspline root floor;
         shape index.shape + (2,)."""
