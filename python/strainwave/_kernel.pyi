@@ -10,6 +10,16 @@ from typing import final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+__all__ = [
+    "CONTACT_KINDS",
+    "Clearances",
+    "Engagement",
+    "GeometryError",
+    "MotionMinimum",
+    "NeutralCurve",
+    "Profile",
+]
+
 CONTACT_KINDS: tuple[str, ...]
 """Names of the contact kinds in `Clearances.kind`."""
 

@@ -2,7 +2,9 @@
 
 use std::f64::consts::PI;
 use std::ops::Range;
+use std::sync::{Arc, OnceLock};
 
+use crate::body::Body;
 use crate::clearance::{Clearance, clearance};
 use crate::error::GeometryError;
 use crate::kinematics::{MotionBounds, ToothMotion};
@@ -34,62 +36,49 @@ pub enum Flank {
 /// each real k whatever the wave generator's angle θ: tooth i has k = i − θ z_c / 2π.
 #[derive(Clone, Debug)]
 pub struct Engagement {
-    flexspline: Profile,
-    circular_spline: Profile,
-    curve: NeutralCurve,
-    tooth: Outline,
-    tooth_pieces: [Range<usize>; 2],
-    space: Outline,
-    space_pieces: [Range<usize>; 2],
-    tooth_corners: Vec<Point>,
-    space_corners: Vec<Point>,
+    tooth: Arc<Body>,
+    space: Arc<Body>,
+    curve: Arc<NeutralCurve>,
     motion: ToothMotion,
-    bounds: MotionBounds,
+    bounds: OnceLock<MotionBounds>,
 }
 
 impl Engagement {
     /// # Errors
+    /// As [`Engagement::of`].
+    pub fn new(flexspline: Profile, circular_spline: Profile, curve: NeutralCurve) -> Result<Self, GeometryError> {
+        let (tooth, space) = (Body::flexspline(flexspline), Body::circular_spline(circular_spline));
+        Self::of(Arc::new(tooth), Arc::new(space), Arc::new(curve))
+    }
+
+    /// The same from parts that may serve several engagements.
+    ///
+    /// # Errors
     /// [`GeometryError::TeethDoNotMesh`] unless the circular spline has an even number of teeth more than the flexspline:
     /// two lobes mesh at once.
-    pub fn new(flexspline: Profile, circular_spline: Profile, curve: NeutralCurve) -> Result<Self, GeometryError> {
-        let (z_f, z_c) = (flexspline.gear.teeth, circular_spline.gear.teeth);
+    pub fn of(tooth: Arc<Body>, space: Arc<Body>, curve: Arc<NeutralCurve>) -> Result<Self, GeometryError> {
+        let (z_f, z_c) = (tooth.profile().gear.teeth, space.profile().gear.teeth);
         if z_c <= z_f || (z_c - z_f) % 2 != 0 {
             return Err(GeometryError::TeethDoNotMesh { flexspline: z_f, circular_spline: z_c });
         }
-        let (tooth, tooth_pieces) = Outline::flexspline_tooth(&flexspline);
-        let (space, space_pieces) = Outline::circular_spline_space(&circular_spline);
-        let convex = |profile: &Profile| least_convex_radius(profile);
         let motion = ToothMotion {
-            height: flexspline.gear.pitch_radius - curve.radius(),
-            reach: tooth.reach(tooth_pieces[0].start..tooth_pieces[1].end),
-            least_convex_radius: convex(&flexspline).min(convex(&circular_spline)),
+            height: tooth.profile().gear.pitch_radius - curve.radius(),
+            reach: tooth.reach(),
+            least_convex_radius: tooth.least_convex_radius().min(space.least_convex_radius()),
             ..ToothMotion::new(curve.perimeter(), z_f, z_c)
         };
-        let bounds = motion.bounds(&curve);
-        Ok(Self {
-            tooth_corners: corners(&tooth),
-            space_corners: corners(&space),
-            flexspline,
-            circular_spline,
-            curve,
-            tooth,
-            tooth_pieces,
-            space,
-            space_pieces,
-            motion,
-            bounds,
-        })
+        Ok(Self { tooth, space, curve, motion, bounds: OnceLock::new() })
     }
 
-    pub const fn flexspline(&self) -> &Profile {
-        &self.flexspline
+    pub fn flexspline(&self) -> &Profile {
+        self.tooth.profile()
     }
 
-    pub const fn circular_spline(&self) -> &Profile {
-        &self.circular_spline
+    pub fn circular_spline(&self) -> &Profile {
+        self.space.profile()
     }
 
-    pub const fn curve(&self) -> &NeutralCurve {
+    pub fn curve(&self) -> &NeutralCurve {
         &self.curve
     }
 
@@ -97,23 +86,24 @@ impl Engagement {
         &self.motion
     }
 
-    pub const fn bounds(&self) -> &MotionBounds {
-        &self.bounds
+    /// How fast the gap may change with the index.
+    pub fn bounds(&self) -> &MotionBounds {
+        self.bounds.get_or_init(|| self.motion.bounds(&self.curve))
     }
 
     /// One tooth of the flexspline with its rim, in its own frame.
-    pub const fn tooth(&self) -> &Outline {
-        &self.tooth
+    pub fn tooth(&self) -> &Outline {
+        self.tooth.outline()
     }
 
     /// The circular spline around one of its spaces, in that space's frame.
-    pub const fn space(&self) -> &Outline {
-        &self.space
+    pub fn space(&self) -> &Outline {
+        self.space.outline()
     }
 
     /// Index of the last distinct tooth position: the gap curve is even about 0 and about this index.
     pub fn quarter(&self) -> f64 {
-        f64::from(self.flexspline.gear.teeth) / 4.0
+        f64::from(self.flexspline().gear.teeth) / 4.0
     }
 
     /// Pose of the flexspline tooth frame of index `k` with the wave generator's major axis along +Y.
@@ -132,7 +122,7 @@ impl Engagement {
     /// Pose of the circular-spline tooth clockwise of space `space` in the global frame.
     pub fn circular_spline_pose(&self, space: f64) -> Pose {
         let axis = Point::at_angle((space + 0.5) * self.motion.space_angle);
-        Pose::with_y_axis(axis * self.circular_spline.gear.pitch_radius, -axis)
+        Pose::with_y_axis(axis * self.circular_spline().gear.pitch_radius, -axis)
     }
 
     /// Pose of the tooth of index `k` in the frame of the nearest space.
@@ -158,16 +148,16 @@ impl Engagement {
 
     /// Signed clearance of both flanks of a tooth at a pose in the frame of its space.
     pub fn clearances(&self, tooth: &Pose) -> FlankPair<Clearance> {
-        let tooth = self.tooth.posed(tooth);
+        let tooth = self.tooth().posed(tooth);
         FlankPair { left: self.flank(&tooth, Flank::Left), right: self.flank(&tooth, Flank::Right) }
     }
 
     /// Whether a tooth whose outline crosses nothing is surely outside the circular spline: its root floor lies within
     /// the circular spline's tips, and its tip within the root circle.
     pub(crate) fn stands_free(&self, tooth: &Pose) -> bool {
-        let gear = &self.circular_spline.gear;
-        let floor = tooth.point(self.tooth.segments()[self.tooth_pieces[1].end].start()) - self.center();
-        let tip = (tooth.origin - self.center()).norm() + self.flexspline.segments()[0].end().norm();
+        let gear = &self.circular_spline().gear;
+        let floor = tooth.point(self.tooth().segments()[self.tooth_pieces(Flank::Right).end].start()) - self.center();
+        let tip = (tooth.origin - self.center()).norm() + self.flexspline().segments()[0].end().norm();
         floor.norm() < gear.signed_tip_radius().abs() && tip < gear.signed_root_radius().abs()
     }
 
@@ -175,7 +165,7 @@ impl Engagement {
     pub fn distribution(&self) -> Vec<FlankPair<f64>> {
         let mut left = Pursuit::new(self, Flank::Left);
         let mut right = Pursuit::new(self, Flank::Right);
-        let last = self.flexspline.gear.teeth / 4;
+        let last = self.flexspline().gear.teeth / 4;
         (0..=last)
             .map(|k| {
                 let pose = self.relative_pose(f64::from(k));
@@ -186,24 +176,23 @@ impl Engagement {
 
     /// Signed clearance of one flank of a tooth whose outline is given in the frame of its space.
     pub(crate) fn flank(&self, tooth: &Outline, flank: Flank) -> Clearance {
-        let pieces = flank as usize;
-        clearance(tooth, self.tooth_pieces[pieces].clone(), &self.space, self.space_pieces[pieces].clone())
+        clearance(tooth, self.tooth_pieces(flank), self.space(), self.space_pieces(flank))
     }
 
     pub(crate) fn tooth_pieces(&self, flank: Flank) -> Range<usize> {
-        self.tooth_pieces[flank as usize].clone()
+        self.tooth.pieces(flank)
     }
 
     pub(crate) fn space_pieces(&self, flank: Flank) -> Range<usize> {
-        self.space_pieces[flank as usize].clone()
+        self.space.pieces(flank)
     }
 
     /// Least distance of a corner of a tooth at `pose` from a corner of the circular spline.
     pub(crate) fn between_corners(&self, pose: &Pose) -> f64 {
         let mut least = f64::INFINITY;
-        for corner in &self.tooth_corners {
+        for corner in self.tooth.corners() {
             let p = pose.point(*corner);
-            for q in &self.space_corners {
+            for q in self.space.corners() {
                 least = least.min((p - *q).norm_squared());
             }
         }
@@ -212,7 +201,7 @@ impl Engagement {
 
     /// Centre of the circular spline in the frame of a space.
     pub(crate) fn center(&self) -> Point {
-        Point::new(0.0, -self.circular_spline.gear.pitch_radius)
+        Point::new(0.0, -self.circular_spline().gear.pitch_radius)
     }
 
     /// Radial clearances of the tooth of index `k`: its tip land under the circular spline's root circle, and the
@@ -220,14 +209,14 @@ impl Engagement {
     pub fn radial_clearances(&self, k: f64) -> (f64, f64) {
         let pose = self.tooth_pose(k);
         let outermost = |role: Role| {
-            let pieces = self.flexspline.segments().iter().zip(self.flexspline.roles());
+            let pieces = self.flexspline().segments().iter().zip(self.flexspline().roles());
             pieces
                 .filter(|(_, r)| **r == role)
                 .flat_map(|(segment, _)| [*segment, segment.mirrored()])
                 .map(|segment| greatest_radius(&segment.posed(&pose)))
                 .fold(0.0, f64::max)
         };
-        let gear = &self.circular_spline.gear;
+        let gear = &self.circular_spline().gear;
         (
             gear.signed_root_radius().abs() - outermost(Role::TipLand),
             gear.signed_tip_radius().abs() - outermost(Role::RootFloor),
@@ -236,21 +225,8 @@ impl Engagement {
 
     /// Half a pitch of the circular spline (rad): the farthest turn in which circumferential backlash is sought.
     pub(crate) fn half_pitch(&self) -> f64 {
-        PI / f64::from(self.circular_spline.gear.teeth)
+        PI / f64::from(self.circular_spline().gear.teeth)
     }
-}
-
-fn corners(outline: &Outline) -> Vec<Point> {
-    outline.corner_starts().map(|i| outline.segments()[i].start()).collect()
-}
-
-/// Smallest radius of a convex arc of a flank; land and floor have the gear's centre and are bounded on their own.
-fn least_convex_radius(profile: &Profile) -> f64 {
-    let flanks = profile.segments().iter().zip(profile.roles()).filter(|(_, role)| **role == Role::Flank);
-    flanks
-        .map(|(segment, _)| segment.curvature())
-        .filter(|&c| c > 0.0)
-        .fold(f64::INFINITY, |least, c| least.min(1.0 / c))
 }
 
 /// Greatest distance of a piece's points from the origin.

@@ -10,6 +10,7 @@
 
 mod arc;
 mod arc_length;
+mod body;
 mod circumferential;
 mod clearance;
 mod depth;
@@ -35,6 +36,7 @@ mod separation;
 mod ties;
 
 pub use arc::Arc;
+pub use body::Body;
 pub use clearance::{Clearance, Contact, ContactKind, clearance};
 pub use engagement::{Engagement, Flank, FlankPair};
 pub use error::GeometryError;

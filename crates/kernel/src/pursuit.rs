@@ -12,9 +12,9 @@ use crate::engagement::{Engagement, Flank};
 use crate::pose::Pose;
 use crate::separation::distance;
 
-/// A bound this many teeth of the fastest motion above the gap is good enough; nearer ones are replaced by the distance,
+/// A lower bound this share of the tooth pitch above the gap is good enough; nearer ones are replaced by the distance,
 /// which then lasts for several teeth.
-const PATIENCE: f64 = 3.0;
+const PATIENCE: f64 = 0.05;
 
 /// The pursuit of one flank's gap.
 pub struct Pursuit<'a> {
@@ -117,7 +117,7 @@ impl<'a> Pursuit<'a> {
         let other = first_other + place;
         let key = &mut self.keys[row * self.row_length + place];
         let bound = tooth.bound_between_posed(piece, pose, space, other);
-        if bound > *gap + PATIENCE * self.engagement.bounds().slope {
+        if bound > *gap + PATIENCE * self.engagement.motion().pitch {
             *key = bound + self.travelled;
             return Some(());
         }

@@ -8,11 +8,12 @@ mod neutral_curve;
 mod profile;
 
 use pyo3::prelude::*;
+use pyo3::types::PyTuple;
 
 #[pymodule(gil_used = false)]
 fn _kernel(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add("GeometryError", m.py().get_type::<error::GeometryError>())?;
-    m.add("CONTACT_KINDS", clearances::KIND_NAMES)?;
+    m.add("CONTACT_KINDS", PyTuple::new(m.py(), clearances::KIND_NAMES)?)?;
     m.add_class::<profile::Profile>()?;
     m.add_class::<neutral_curve::NeutralCurve>()?;
     m.add_class::<engagement::Engagement>()?;
