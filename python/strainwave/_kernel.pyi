@@ -12,12 +12,16 @@ from numpy.typing import ArrayLike, NDArray
 
 __all__ = [
     "CONTACT_KINDS",
+    "BatchCurves",
+    "BatchMetrics",
+    "BatchProfiles",
     "Clearances",
     "Engagement",
     "GeometryError",
     "MotionMinimum",
     "NeutralCurve",
     "Profile",
+    "evaluate_batch",
 ]
 
 CONTACT_KINDS: tuple[str, ...]
@@ -214,3 +218,88 @@ class MotionMinimum:
     @property
     def curvature_bound(self) -> float:
         """Bound of the gap's second derivative where the witness is smooth, mm per index squared."""
+
+@final
+class BatchProfiles:
+    """The profiles of one spline in a batch. Arguments as for `Profile`, with a first axis of 1 or as many rows as the
+    batch has: `flank` has shape (rows, n, 5), the numbers shape (rows,)."""
+
+    def __new__(
+        cls,
+        flank: ArrayLike,
+        *,
+        teeth: int,
+        pitch_radius: ArrayLike,
+        internal: bool,
+        addendum: ArrayLike,
+        dedendum: ArrayLike,
+        offset: ArrayLike,
+        fillet_radius: ArrayLike,
+    ) -> BatchProfiles: ...
+
+@final
+class BatchCurves:
+    """The neutral curves of a batch. Arguments as for `NeutralCurve`, with a first axis of 1 or as many rows as the
+    batch has; `model` is one for all."""
+
+    @staticmethod
+    def harmonics(radius: ArrayLike, w0: ArrayLike, model: str, coefficients: ArrayLike) -> BatchCurves:
+        """`coefficients` has shape (rows, n)."""
+    @staticmethod
+    def ring(radius: ArrayLike, w0: ArrayLike, model: str, pieces: ArrayLike) -> BatchCurves:
+        """`pieces` has shape (rows, n, 6)."""
+    @staticmethod
+    def ellipse(radius: ArrayLike, w0: ArrayLike, equidistant: ArrayLike) -> BatchCurves: ...
+
+@final
+class BatchMetrics:
+    """The answers of a batch, in mm, as arrays of shape (rows,); nan or -1 where a row has none."""
+
+    @property
+    def min_gap(self) -> NDArray[np.float64]: ...
+    @property
+    def min_index(self) -> NDArray[np.float64]:
+        """Tooth index k >= 0 of the least gap; half indices are the second lobe of an odd number of teeth."""
+    @property
+    def teeth_below(self) -> NDArray[np.int64]:
+        """Teeth 1 ... z_f // 4 with 0 <= gap < threshold."""
+    @property
+    def interfering(self) -> NDArray[np.int64]:
+        """Teeth 0 ... z_f // 4 with gap < 0."""
+    @property
+    def first_interfering(self) -> NDArray[np.int64]:
+        """The first of them, or -1."""
+    @property
+    def play(self) -> NDArray[np.float64]:
+        """The least circumferential backlash of any tooth at generator angle 0."""
+    @property
+    def tip_clearance(self) -> NDArray[np.float64]: ...
+    @property
+    def root_clearance(self) -> NDArray[np.float64]: ...
+    @property
+    def min_in_motion(self) -> NDArray[np.float64]: ...
+    @property
+    def min_in_motion_index(self) -> NDArray[np.float64]: ...
+    @property
+    def lower_bound_in_motion(self) -> NDArray[np.float64]: ...
+    @property
+    def errors(self) -> list[str | None]:
+        """The error code of each row that could not be built, None for the others."""
+    def reason(self, row: int) -> str | None:
+        """The message of one row; None where it was built. Raises `IndexError`."""
+    def __len__(self) -> int: ...
+
+def evaluate_batch(
+    flexsplines: BatchProfiles,
+    circular_splines: BatchProfiles,
+    curves: BatchCurves,
+    *,
+    threshold: float,
+    play: bool,
+    radial: bool,
+    in_motion: float | None = None,
+    threads: int = 0,
+) -> BatchMetrics:
+    """Evaluates designs on `threads` cores (0: all). `threshold` in mm; `in_motion` is the tolerance in mm of the
+    certified minimum in motion, if that is wanted. The results do not depend on the number of threads. Ctrl-C stops it
+    (`KeyboardInterrupt`)."""

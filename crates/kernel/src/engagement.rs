@@ -161,15 +161,18 @@ impl Engagement {
         floor.norm() < gear.signed_tip_radius().abs() && tip < gear.signed_root_radius().abs()
     }
 
-    /// The gaps of both flanks at the tooth indices 0, 1, … up to a quarter of the flexspline's teeth.
-    pub fn distribution(&self) -> Vec<FlankPair<f64>> {
+    /// The gaps of both flanks of every tooth that is not the mirror image of another, by index: 0, 1, … up to a quarter
+    /// of the flexspline's teeth, and the halves between for an odd number, whose second lobe they are.
+    pub fn distribution(&self) -> Vec<(f64, FlankPair<f64>)> {
         let mut left = Pursuit::new(self, Flank::Left);
         let mut right = Pursuit::new(self, Flank::Right);
-        let last = self.flexspline().gear.teeth / 4;
-        (0..=last)
-            .map(|k| {
-                let pose = self.relative_pose(f64::from(k));
-                FlankPair { left: left.gap(&pose), right: right.gap(&pose) }
+        let teeth = self.flexspline().gear.teeth;
+        let steps = if teeth % 2 == 0 { 1 } else { 2 };
+        (0..=steps * teeth / 4)
+            .map(|i| {
+                let k = f64::from(i) / f64::from(steps);
+                let pose = self.relative_pose(k);
+                (k, FlankPair { left: left.gap(&pose), right: right.gap(&pose) })
             })
             .collect()
     }

@@ -10,6 +10,7 @@
 
 mod arc;
 mod arc_length;
+mod batch;
 mod body;
 mod circumferential;
 mod clearance;
@@ -36,6 +37,7 @@ mod separation;
 mod ties;
 
 pub use arc::Arc;
+pub use batch::{Batch, Column, CurveForm, CurveSpec, Metrics, ProfileSpec, Question};
 pub use body::Body;
 pub use clearance::{Clearance, Contact, ContactKind, clearance};
 pub use engagement::{Engagement, Flank, FlankPair};

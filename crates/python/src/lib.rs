@@ -1,6 +1,7 @@
 //! `strainwave._kernel`: converts, releases the GIL, calls, maps errors. No arithmetic.
 
 mod array;
+mod batch;
 mod clearances;
 mod engagement;
 mod error;
@@ -19,5 +20,9 @@ fn _kernel(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add_class::<engagement::Engagement>()?;
     m.add_class::<engagement::MotionMinimum>()?;
     m.add_class::<clearances::Clearances>()?;
+    m.add_class::<batch::BatchProfiles>()?;
+    m.add_class::<batch::BatchCurves>()?;
+    m.add_class::<batch::BatchMetrics>()?;
+    m.add_function(wrap_pyfunction!(batch::evaluate_batch, m)?)?;
     Ok(())
 }

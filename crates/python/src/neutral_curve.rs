@@ -91,20 +91,23 @@ impl NeutralCurve {
 
 impl NeutralCurve {
     fn polar(py: Python<'_>, radius: f64, w0: f64, model: &str, shape: RingShape) -> PyResult<Self> {
-        let model = match model {
-            "first-order" => NeutralCurveModel::FirstOrder,
-            "shifted" => NeutralCurveModel::Shifted,
-            "inextensible" => NeutralCurveModel::Inextensible,
-            other => {
-                return Err(PyValueError::new_err(format!(
-                    "neutral-curve model {other:?}: choose first-order, shifted or inextensible"
-                )));
-            }
-        };
+        let model = self::model(model)?;
         shape
             .sampled()
             .and_then(|shape| kernel::NeutralCurve::polar(radius, w0, model, &Arc::new(shape)))
             .map(Self)
             .map_err(|e| raise(py, &e))
+    }
+}
+
+/// The model of a name.
+pub fn model(name: &str) -> PyResult<NeutralCurveModel> {
+    match name {
+        "first-order" => Ok(NeutralCurveModel::FirstOrder),
+        "shifted" => Ok(NeutralCurveModel::Shifted),
+        "inextensible" => Ok(NeutralCurveModel::Inextensible),
+        other => Err(PyValueError::new_err(format!(
+            "neutral-curve model {other:?}: choose first-order, shifted or inextensible"
+        ))),
     }
 }

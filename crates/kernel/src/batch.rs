@@ -1,0 +1,211 @@
+//! Many designs at once, on all cores.
+//!
+//! Each part of a design (flexspline, circular spline, neutral curve) is either one for the whole batch, built once, or
+//! one for each row. A row that cannot be built is an error of its own and never stops the batch. Rows do not see each
+//! other, so the results do not depend on the number of threads.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use rayon::prelude::*;
+
+use crate::body::Body;
+use crate::engagement::{Engagement, FlankPair};
+use crate::error::GeometryError;
+use crate::gear::Gear;
+use crate::motion::MotionMinimum;
+use crate::neutral_curve::{NeutralCurve, NeutralCurveModel};
+use crate::profile::Profile;
+use crate::ring_shape::SampledShape;
+use crate::segment::Segment;
+
+/// What [`Profile::new`] needs.
+#[derive(Clone, Debug)]
+pub struct ProfileSpec {
+    pub gear: Gear,
+    pub flank: Vec<Segment>,
+    pub offset: f64,
+    pub fillet_radius: f64,
+}
+
+/// What a [`NeutralCurve`] needs.
+#[derive(Clone, Debug)]
+pub struct CurveSpec {
+    pub radius: f64,
+    pub w0: f64,
+    pub form: CurveForm,
+}
+
+/// See [`NeutralCurve::polar`] and [`NeutralCurve::ellipse`].
+#[derive(Clone, Debug)]
+pub enum CurveForm {
+    Polar(NeutralCurveModel, Result<Arc<SampledShape>, GeometryError>),
+    Ellipse { offset: f64 },
+}
+
+/// One for the whole batch, or one for each row.
+#[derive(Clone, Debug)]
+pub enum Column<T> {
+    Same(T),
+    Each(Vec<T>),
+}
+
+/// The designs of a batch.
+#[derive(Clone, Debug)]
+pub struct Batch {
+    pub rows: usize,
+    pub flexsplines: Column<ProfileSpec>,
+    pub circular_splines: Column<ProfileSpec>,
+    pub curves: Column<CurveSpec>,
+}
+
+/// What is asked of each design.
+#[derive(Clone, Copy, Debug)]
+pub struct Question {
+    /// Gaps from 0 to below this (mm) are counted.
+    pub threshold: f64,
+    /// Whether circumferential play is wanted.
+    pub play: bool,
+    /// Whether radial clearances are wanted.
+    pub radial: bool,
+    /// Tolerance (mm) of the certified minimum in motion, if that is wanted.
+    pub in_motion: Option<f64>,
+}
+
+/// The answers for one design, at generator angle 0 unless said otherwise; lengths in mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Metrics {
+    pub min_gap: f64,
+    /// The index k ≥ 0 of the tooth with the least gap; for an odd number of teeth the second lobe has half indices.
+    pub min_index: f64,
+    /// Teeth 1 … ⌊z_f/4⌋ with 0 ≤ gap < threshold.
+    pub teeth_below: u32,
+    /// Teeth 0 … ⌊z_f/4⌋ with gap < 0.
+    pub interfering: u32,
+    /// The first of them.
+    pub first_interfering: Option<u32>,
+    /// The least circumferential backlash, if wanted and any tooth has one.
+    pub play: Option<f64>,
+    /// The least tip and root clearance of any tooth, if wanted.
+    pub radial: Option<(f64, f64)>,
+    pub in_motion: Option<MotionMinimum>,
+}
+
+impl Batch {
+    /// Evaluates every row; `None` if `cancelled` was set before all were done.
+    pub fn evaluate(&self, question: &Question, cancelled: &AtomicBool) -> Option<Vec<Result<Metrics, GeometryError>>> {
+        let flexspline = shared(&self.flexsplines, |spec| spec.build().map(Body::flexspline));
+        let circular_spline = shared(&self.circular_splines, |spec| spec.build().map(Body::circular_spline));
+        let curve = shared(&self.curves, CurveSpec::build);
+        let row = |row: usize| {
+            let engagement = Engagement::of(
+                part(&flexspline, &self.flexsplines, row, |spec| spec.build().map(Body::flexspline))?,
+                part(&circular_spline, &self.circular_splines, row, |spec| spec.build().map(Body::circular_spline))?,
+                part(&curve, &self.curves, row, CurveSpec::build)?,
+            )?;
+            Ok(engagement.metrics(question))
+        };
+        (0..self.rows)
+            .into_par_iter()
+            .with_min_len(8)
+            .map(|index| if cancelled.load(Ordering::Relaxed) { None } else { Some(row(index)) })
+            .collect()
+    }
+}
+
+type Shared<T> = Option<Result<Arc<T>, GeometryError>>;
+
+/// The part of the whole batch, if there is one.
+fn shared<S, T>(column: &Column<S>, build: impl Fn(&S) -> Result<T, GeometryError>) -> Shared<T> {
+    match column {
+        Column::Same(spec) => Some(build(spec).map(Arc::new)),
+        Column::Each(_) => None,
+    }
+}
+
+/// The part of one row.
+fn part<S, T>(
+    shared: &Shared<T>,
+    column: &Column<S>,
+    row: usize,
+    build: impl Fn(&S) -> Result<T, GeometryError>,
+) -> Result<Arc<T>, GeometryError> {
+    match (shared, column) {
+        (Some(built), _) => built.clone(),
+        (None, Column::Each(specs)) => build(&specs[row]).map(Arc::new),
+        (None, Column::Same(spec)) => build(spec).map(Arc::new),
+    }
+}
+
+impl ProfileSpec {
+    fn build(&self) -> Result<Profile, GeometryError> {
+        Profile::new(self.gear, &self.flank, self.offset, self.fillet_radius)
+    }
+}
+
+impl CurveSpec {
+    fn build(&self) -> Result<NeutralCurve, GeometryError> {
+        match &self.form {
+            CurveForm::Polar(model, shape) => {
+                NeutralCurve::polar(self.radius, self.w0, *model, shape.as_ref().map_err(Clone::clone)?)
+            }
+            CurveForm::Ellipse { offset } => NeutralCurve::ellipse(self.radius, self.w0, *offset),
+        }
+    }
+}
+
+impl Engagement {
+    /// The answers for one design.
+    pub fn metrics(&self, question: &Question) -> Metrics {
+        let teeth: Vec<(f64, f64)> =
+            self.distribution().into_iter().map(|(k, FlankPair { left, right })| (k, left.min(right))).collect();
+        let least = teeth.iter().copied().fold(teeth[0], |least, tooth| if tooth.1 < least.1 { tooth } else { least });
+        let (mut teeth_below, mut interfering, mut first_interfering) = (0, 0, None);
+        // The second lobe of an odd number of teeth has half indices: counts are of the first.
+        for &(k, gap) in teeth.iter().filter(|(k, _)| k.fract() == 0.0) {
+            if k > 0.0 && (0.0..question.threshold).contains(&gap) {
+                teeth_below += 1;
+            }
+            if gap < 0.0 {
+                interfering += 1;
+                first_interfering = first_interfering.or(Some(k as u32));
+            }
+        }
+        Metrics {
+            min_gap: least.1,
+            min_index: least.0,
+            teeth_below,
+            interfering,
+            first_interfering,
+            play: if question.play { self.play_of_teeth(&teeth) } else { None },
+            radial: question.radial.then(|| self.least_radial_clearances(&teeth)),
+            in_motion: question.in_motion.map(|tolerance| self.minimum_in_motion(tolerance)),
+        }
+    }
+
+    fn least_radial_clearances(&self, teeth: &[(f64, f64)]) -> (f64, f64) {
+        teeth
+            .iter()
+            .map(|&(k, _)| self.radial_clearances(k))
+            .fold((f64::INFINITY, f64::INFINITY), |least, now| (least.0.min(now.0), least.1.min(now.1)))
+    }
+
+    /// The least circumferential backlash of the given teeth (index and gap) and their mirror images.
+    ///
+    /// A turn by an arc moves no point of a tooth farther than arc · farthest/r, so a tooth with a gap of g has a backlash
+    /// of at least g r/farthest: taken in the order of their gaps, a few teeth settle it.
+    fn play_of_teeth(&self, teeth: &[(f64, f64)]) -> Option<f64> {
+        let mut order = teeth.to_vec();
+        order.sort_by(|a, b| a.1.total_cmp(&b.1));
+        let share = self.circular_spline().gear.pitch_radius / self.farthest();
+        let mut least: Option<f64> = None;
+        for (k, gap) in order {
+            if gap >= 0.0 && least.is_some_and(|play| gap * share >= play) {
+                break;
+            }
+            let arcs = self.circumferential(k);
+            least = [least, arcs.left, arcs.right].into_iter().flatten().reduce(f64::min);
+        }
+        least
+    }
+}

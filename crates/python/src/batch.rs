@@ -1,0 +1,327 @@
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::RecvTimeoutError;
+use std::time::Duration;
+
+use numpy::{AllowTypeChange, PyArrayDyn, PyArrayLike1, PyArrayLike2, PyArrayLike3};
+use pyo3::exceptions::{PyRuntimeError, PyValueError};
+use pyo3::prelude::*;
+use strainwave_kernel::{
+    self as kernel, Column, CurveForm, CurveSpec, Gear, GeometryError, Metrics, NeutralCurveModel, Point, ProfileSpec,
+    Question, RingPiece, RingShape, SampledShape, Segment,
+};
+
+use crate::array::{self, Array};
+use crate::neutral_curve::model;
+
+type Numbers1<'py> = PyArrayLike1<'py, f64, AllowTypeChange>;
+type Table2<'py> = PyArrayLike2<'py, f64, AllowTypeChange>;
+type Table3<'py> = PyArrayLike3<'py, f64, AllowTypeChange>;
+
+/// How often a running batch looks for Ctrl-C.
+const PATIENCE: Duration = Duration::from_millis(50);
+
+/// The profiles of one spline in a batch: one for all rows, or one for each.
+#[pyclass(frozen, module = "strainwave._kernel")]
+pub struct BatchProfiles(Column<ProfileSpec>);
+
+/// The neutral curves of a batch: one for all rows, or one for each.
+#[pyclass(frozen, module = "strainwave._kernel")]
+pub struct BatchCurves(Column<CurveSpec>);
+
+/// The answers of a batch as arrays over its rows.
+#[pyclass(frozen, module = "strainwave._kernel")]
+pub struct BatchMetrics(Vec<Result<Metrics, GeometryError>>);
+
+/// A value per row: given once for all of them, or once for each.
+fn at(values: &[f64], row: usize) -> f64 {
+    values[if values.len() == 1 { 0 } else { row }]
+}
+
+/// The common number of rows of several arguments, each of which has 1 or that many.
+fn rows(lengths: &[usize]) -> PyResult<usize> {
+    let rows = lengths.iter().copied().max().unwrap_or(1);
+    if lengths.iter().all(|&length| length == 1 || length == rows) {
+        return Ok(rows);
+    }
+    Err(PyValueError::new_err(format!("arguments have {lengths:?} rows; each must have 1 or {rows}")))
+}
+
+fn column<T>(rows: usize, build: impl Fn(usize) -> T) -> Column<T> {
+    if rows == 1 { Column::Same(build(0)) } else { Column::Each((0..rows).map(build).collect()) }
+}
+
+fn values(argument: &Numbers1<'_>) -> Vec<f64> {
+    argument.as_array().to_vec()
+}
+
+#[pymethods]
+impl BatchProfiles {
+    #[new]
+    #[pyo3(signature = (flank, *, teeth, pitch_radius, internal, addendum, dedendum, offset, fillet_radius))]
+    #[allow(clippy::too_many_arguments)]
+    fn new(
+        flank: Table3<'_>,
+        teeth: u32,
+        pitch_radius: Numbers1<'_>,
+        internal: bool,
+        addendum: Numbers1<'_>,
+        dedendum: Numbers1<'_>,
+        offset: Numbers1<'_>,
+        fillet_radius: Numbers1<'_>,
+    ) -> PyResult<Self> {
+        let flank = flank.as_array();
+        if flank.shape()[2] != 5 {
+            return Err(PyValueError::new_err(format!("a piece has 5 numbers, got {}", flank.shape()[2])));
+        }
+        let [pitch_radius, addendum, dedendum, offset, fillet_radius] =
+            [pitch_radius, addendum, dedendum, offset, fillet_radius].map(|argument| values(&argument));
+        let lengths = [&pitch_radius, &addendum, &dedendum, &offset, &fillet_radius].map(Vec::len);
+        let rows = rows(&[&lengths[..], &[flank.shape()[0]]].concat())?;
+        let spec = |row: usize| {
+            let pieces = flank.index_axis(numpy::ndarray::Axis(0), if flank.shape()[0] == 1 { 0 } else { row });
+            ProfileSpec {
+                gear: Gear {
+                    teeth,
+                    pitch_radius: at(&pitch_radius, row),
+                    addendum: at(&addendum, row),
+                    dedendum: at(&dedendum, row),
+                    internal,
+                },
+                flank: pieces
+                    .rows()
+                    .into_iter()
+                    .map(|r| Segment::new(Point::new(r[0], r[1]), r[2], r[3], r[4]))
+                    .collect(),
+                offset: at(&offset, row),
+                fillet_radius: at(&fillet_radius, row),
+            }
+        };
+        Ok(Self(column(rows, spec)))
+    }
+}
+
+type Shape = Result<Arc<SampledShape>, GeometryError>;
+
+#[pymethods]
+impl BatchCurves {
+    #[staticmethod]
+    fn harmonics(radius: Numbers1<'_>, w0: Numbers1<'_>, model: &str, coefficients: Table2<'_>) -> PyResult<Self> {
+        let shape = |row: numpy::ndarray::ArrayView1<'_, f64>| RingShape::Harmonics(row.to_vec());
+        let shapes: Vec<Shape> =
+            coefficients.as_array().rows().into_iter().map(|row| shape(row).sampled().map(Arc::new)).collect();
+        Self::polar(&radius, &w0, model, &shapes)
+    }
+
+    #[staticmethod]
+    fn ring(radius: Numbers1<'_>, w0: Numbers1<'_>, model: &str, pieces: Table3<'_>) -> PyResult<Self> {
+        let pieces = pieces.as_array();
+        if pieces.shape()[2] != 6 {
+            return Err(PyValueError::new_err(format!("a stretch has 6 numbers, got {}", pieces.shape()[2])));
+        }
+        let piece = |r: numpy::ndarray::ArrayView1<'_, f64>| RingPiece {
+            phi_end: r[0],
+            p: r[1],
+            c: r[2],
+            c_phi: r[3],
+            s: r[4],
+            s_phi: r[5],
+        };
+        let shapes: Vec<Shape> = pieces
+            .outer_iter()
+            .map(|rows| RingShape::Pieces(rows.rows().into_iter().map(piece).collect()).sampled().map(Arc::new))
+            .collect();
+        Self::polar(&radius, &w0, model, &shapes)
+    }
+
+    #[staticmethod]
+    fn ellipse(radius: Numbers1<'_>, w0: Numbers1<'_>, equidistant: Numbers1<'_>) -> PyResult<Self> {
+        let [radius, w0, equidistant] = [radius, w0, equidistant].map(|argument| values(&argument));
+        let rows = rows(&[radius.len(), w0.len(), equidistant.len()])?;
+        Ok(Self(column(rows, |row| CurveSpec {
+            radius: at(&radius, row),
+            w0: at(&w0, row),
+            form: CurveForm::Ellipse { offset: at(&equidistant, row) },
+        })))
+    }
+}
+
+impl BatchCurves {
+    fn polar(radius: &Numbers1<'_>, w0: &Numbers1<'_>, name: &str, shapes: &[Shape]) -> PyResult<Self> {
+        let model: NeutralCurveModel = model(name)?;
+        let (radius, w0) = (values(radius), values(w0));
+        let rows = rows(&[radius.len(), w0.len(), shapes.len()])?;
+        Ok(Self(column(rows, |row| CurveSpec {
+            radius: at(&radius, row),
+            w0: at(&w0, row),
+            form: CurveForm::Polar(model, shapes[if shapes.len() == 1 { 0 } else { row }].clone()),
+        })))
+    }
+}
+
+/// Evaluates designs on `threads` cores (0: all of them). Ctrl-C stops it.
+#[pyfunction]
+#[pyo3(signature = (flexsplines, circular_splines, curves, *, threshold, play, radial, in_motion=None, threads=0))]
+#[allow(clippy::too_many_arguments)]
+pub fn evaluate_batch(
+    py: Python<'_>,
+    flexsplines: &BatchProfiles,
+    circular_splines: &BatchProfiles,
+    curves: &BatchCurves,
+    threshold: f64,
+    play: bool,
+    radial: bool,
+    in_motion: Option<f64>,
+    threads: usize,
+) -> PyResult<BatchMetrics> {
+    let lengths = [length(&flexsplines.0), length(&circular_splines.0), length(&curves.0)];
+    let batch = kernel::Batch {
+        rows: rows(&lengths)?,
+        flexsplines: flexsplines.0.clone(),
+        circular_splines: circular_splines.0.clone(),
+        curves: curves.0.clone(),
+    };
+    let question = Question { threshold, play, radial, in_motion };
+    let pool = pool(threads)?;
+    let answer = py.detach(|| {
+        stoppable(|cancelled| {
+            let evaluate = || batch.evaluate(&question, cancelled);
+            match &pool {
+                Some(pool) => pool.install(evaluate),
+                None => evaluate(),
+            }
+        })
+    })?;
+    answer.map(BatchMetrics).ok_or_else(|| PyRuntimeError::new_err("the batch was cancelled"))
+}
+
+fn length<T>(column: &Column<T>) -> usize {
+    match column {
+        Column::Same(_) => 1,
+        Column::Each(each) => each.len(),
+    }
+}
+
+/// Runs `work` on a thread of its own and looks for Ctrl-C meanwhile.
+fn stoppable<T: Send>(work: impl FnOnce(&AtomicBool) -> T + Send) -> PyResult<T> {
+    let cancelled = AtomicBool::new(false);
+    let (sender, receiver) = std::sync::mpsc::channel();
+    std::thread::scope(|scope| {
+        let cancelled = &cancelled;
+        // Sending fails only after an interrupt, when nobody waits for the answer.
+        scope.spawn(move || drop(sender.send(work(cancelled))));
+        loop {
+            match receiver.recv_timeout(PATIENCE) {
+                Ok(answer) => return Ok(answer),
+                Err(RecvTimeoutError::Timeout) => {
+                    if let Err(interrupt) = Python::attach(|py| py.check_signals()) {
+                        cancelled.store(true, Ordering::Relaxed);
+                        return Err(interrupt);
+                    }
+                }
+                Err(RecvTimeoutError::Disconnected) => {
+                    return Err(PyRuntimeError::new_err("the batch ended without an answer"));
+                }
+            }
+        }
+    })
+}
+
+/// A pool of the given size; the common one, as large as the machine, for 0.
+fn pool(threads: usize) -> PyResult<Option<rayon::ThreadPool>> {
+    if threads == 0 {
+        return Ok(None);
+    }
+    let built = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+    built.map(Some).map_err(|e| PyRuntimeError::new_err(format!("cannot start {threads} threads: {e}")))
+}
+
+impl BatchMetrics {
+    fn numbers<'py>(&self, py: Python<'py>, value: impl Fn(&Metrics) -> Option<f64>) -> PyResult<Array<'py>> {
+        let value = |row: &Result<Metrics, GeometryError>| row.as_ref().ok().and_then(&value).unwrap_or(f64::NAN);
+        array::array(py, &[self.0.len()], &[], self.0.iter().map(value).collect())
+    }
+
+    fn counts<'py>(
+        &self,
+        py: Python<'py>,
+        value: impl Fn(&Metrics) -> Option<u32>,
+    ) -> PyResult<Bound<'py, PyArrayDyn<i64>>> {
+        let value = |row: &Result<Metrics, GeometryError>| row.as_ref().ok().and_then(&value).map_or(-1, i64::from);
+        array::array(py, &[self.0.len()], &[], self.0.iter().map(value).collect())
+    }
+}
+
+#[pymethods]
+impl BatchMetrics {
+    #[getter]
+    fn min_gap<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
+        self.numbers(py, |m| Some(m.min_gap))
+    }
+
+    #[getter]
+    fn min_index<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
+        self.numbers(py, |m| Some(m.min_index))
+    }
+
+    #[getter]
+    fn teeth_below<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArrayDyn<i64>>> {
+        self.counts(py, |m| Some(m.teeth_below))
+    }
+
+    #[getter]
+    fn interfering<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArrayDyn<i64>>> {
+        self.counts(py, |m| Some(m.interfering))
+    }
+
+    #[getter]
+    fn first_interfering<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArrayDyn<i64>>> {
+        self.counts(py, |m| m.first_interfering)
+    }
+
+    #[getter]
+    fn play<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
+        self.numbers(py, |m| m.play)
+    }
+
+    #[getter]
+    fn tip_clearance<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
+        self.numbers(py, |m| m.radial.map(|(tip, _)| tip))
+    }
+
+    #[getter]
+    fn root_clearance<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
+        self.numbers(py, |m| m.radial.map(|(_, root)| root))
+    }
+
+    #[getter]
+    fn min_in_motion<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
+        self.numbers(py, |m| m.in_motion.map(|least| least.gap))
+    }
+
+    #[getter]
+    fn min_in_motion_index<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
+        self.numbers(py, |m| m.in_motion.map(|least| least.index))
+    }
+
+    #[getter]
+    fn lower_bound_in_motion<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
+        self.numbers(py, |m| m.in_motion.map(|least| least.lower_bound))
+    }
+
+    /// The code of each row that could not be built; None for the others.
+    #[getter]
+    fn errors(&self) -> Vec<Option<&'static str>> {
+        self.0.iter().map(|row| row.as_ref().err().map(GeometryError::code)).collect()
+    }
+
+    /// The message of one row; None where it was built.
+    fn reason(&self, row: usize) -> PyResult<Option<String>> {
+        let row = self.0.get(row).ok_or_else(|| pyo3::exceptions::PyIndexError::new_err("no such row"))?;
+        Ok(row.as_ref().err().map(ToString::to_string))
+    }
+
+    fn __len__(&self) -> usize {
+        self.0.len()
+    }
+}
