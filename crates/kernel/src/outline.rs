@@ -45,20 +45,22 @@ pub struct SignedDistance {
     pub place: Place,
 }
 
+/// A circle around a piece.
 #[derive(Clone, Copy, Debug)]
-struct BoundingCircle {
+pub struct BoundingCircle {
     center: Point,
     radius: f64,
 }
 
 impl BoundingCircle {
     #[inline]
-    fn posed(&self, pose: &Pose) -> Self {
+    pub fn posed(&self, pose: &Pose) -> Self {
         Self { center: pose.point(self.center), ..*self }
     }
 
+    /// A lower bound of the distance between what two circles hold.
     #[inline]
-    fn distance_to(&self, other: &Self) -> f64 {
+    pub fn distance_to(&self, other: &Self) -> f64 {
         (self.center - other.center).norm() - self.radius - other.radius
     }
 }
@@ -245,10 +247,9 @@ impl Outline {
         (self.bounds[segment].center - p).norm() - self.bounds[segment].radius
     }
 
-    /// The bound between two pieces for an outline seen through `pose`.
-    #[inline]
-    pub fn bound_between_posed(&self, segment: usize, pose: &Pose, other: &Self, other_segment: usize) -> f64 {
-        other.bounds[other_segment].distance_to(&self.bounds[segment].posed(pose))
+    /// Circles around the pieces.
+    pub fn bounds(&self) -> &[BoundingCircle] {
+        &self.bounds
     }
 
     /// A bound of the distance of the given pieces' points from the frame's origin.

@@ -8,9 +8,11 @@
 //!
 //! The result is the same number as [`clearance`](crate::clearance) gives, which stays as the oracle of this one.
 
+use std::ops::Range;
+
 use crate::engagement::{Engagement, Flank};
 use crate::pose::Pose;
-use crate::separation::distance;
+use crate::separation::{distance, distance_apart};
 
 /// A lower bound this share of the tooth pitch above the gap is good enough; nearer ones are replaced by the distance,
 /// which then lasts for several teeth.
@@ -20,9 +22,8 @@ const PATIENCE: f64 = 0.05;
 pub struct Pursuit<'a> {
     engagement: &'a Engagement,
     flank: Flank,
+    blocks: Vec<Block>,
     rows: Vec<Row>,
-    /// Least key of each row.
-    row_keys: Vec<f64>,
     /// Keys of the pairs, row after row.
     keys: Vec<f64>,
     /// How many pairs a row has: the pieces of one tooth of the circular spline.
@@ -36,32 +37,47 @@ pub struct Pursuit<'a> {
     last: (usize, usize),
 }
 
-/// One piece of the tooth against the pieces of one tooth of the circular spline.
+/// Some pieces of the flexspline's tooth against one tooth of the circular spline.
+struct Block {
+    rows: Range<usize>,
+    /// Least key of its rows.
+    key: f64,
+}
+
+/// One piece of the flexspline's tooth against the pieces of one tooth of the circular spline.
 struct Row {
     piece: usize,
     first_other: usize,
+    /// Least key of its pairs.
+    key: f64,
 }
 
 impl<'a> Pursuit<'a> {
     pub fn new(engagement: &'a Engagement, flank: Flank) -> Self {
-        let (tooth, space) = (engagement.tooth(), engagement.space());
-        let pieces = engagement.tooth_pieces(flank);
-        let facing = engagement.space_pieces(flank);
+        let (tooth, space) = (engagement.tooth().segments().len(), engagement.space().segments().len());
+        let (pieces, facing) = (engagement.tooth_pieces(flank), engagement.space_pieces(flank));
         let row_length = facing.len();
-        let mut rows = Vec::with_capacity(tooth.segments().len() + 3 * pieces.len());
-        for piece in 0..tooth.segments().len() {
-            // The flank's own pieces against the whole ring, the rest of the tooth against what faces the flank.
-            let others = if pieces.contains(&piece) { 0..space.segments().len() } else { facing.clone() };
-            rows.extend(others.step_by(row_length).map(|first_other| Row { piece, first_other }));
+        let (mut blocks, mut rows) = (Vec::new(), Vec::new());
+        let mut block = |pieces: &mut dyn Iterator<Item = usize>, first_other: usize| {
+            let start = rows.len();
+            rows.extend(pieces.map(|piece| Row { piece, first_other, key: f64::NEG_INFINITY }));
+            blocks.push(Block { rows: start..rows.len(), key: f64::NEG_INFINITY });
+        };
+        // The flank's own pieces against the whole ring, what faces it first; the rest of the tooth against what faces
+        // the flank.
+        block(&mut pieces.clone(), facing.start);
+        for other in (0..space).step_by(row_length).filter(|&other| other != facing.start) {
+            block(&mut pieces.clone(), other);
         }
+        block(&mut (0..tooth).filter(|piece| !pieces.contains(piece)), facing.start);
         Self {
             engagement,
             flank,
-            row_keys: vec![f64::NEG_INFINITY; rows.len()],
+            blocks,
             keys: vec![f64::NEG_INFINITY; rows.len() * row_length],
             rows,
             row_length,
-            tooth_radius: tooth.reach(0..tooth.segments().len()),
+            tooth_radius: engagement.tooth().reach(0..tooth),
             travelled: 0.0,
             pose: None,
             last: (0, 0),
@@ -91,42 +107,62 @@ impl<'a> Pursuit<'a> {
 
     /// The least distance of any pair, if it is below `limit`; `None` where outlines cross.
     fn closest(&mut self, pose: &Pose, limit: f64) -> Option<f64> {
+        let (tooth, space) = (self.engagement.tooth(), self.engagement.space());
+        let good_enough = PATIENCE * self.engagement.motion().pitch;
+        let travelled = self.travelled;
         let mut gap = limit;
+        // The pair that was closest is probably close again: its distance rules most others out.
         let (row, place) = self.last;
-        self.look(row, place, pose, &mut gap)?;
-        for row in 0..self.rows.len() {
-            if self.row_keys[row] >= gap + self.travelled {
+        let Row { piece, first_other, .. } = self.rows[row];
+        let found = distance(&tooth.segments()[piece].posed(pose), &space.segments()[first_other + place])?;
+        self.keys[row * self.row_length + place] = found + travelled;
+        gap = gap.min(found);
+
+        for block in &mut self.blocks {
+            if block.key >= gap + travelled {
                 continue;
             }
-            let first = row * self.row_length;
-            for place in 0..self.row_length {
-                if self.keys[first + place] < gap + self.travelled {
-                    self.look(row, place, pose, &mut gap)?;
+            let mut least_row = f64::INFINITY;
+            for row in block.rows.clone() {
+                let Row { piece, first_other, ref mut key } = self.rows[row];
+                if *key < gap + travelled {
+                    let first_key = row * self.row_length;
+                    let keys = &mut self.keys[first_key..first_key + self.row_length];
+                    let others = first_other..first_other + self.row_length;
+                    let bound = tooth.bounds()[piece].posed(pose);
+                    let mut posed = None;
+                    let mut least = f64::INFINITY;
+                    let others = space.segments()[others.clone()].iter().zip(&space.bounds()[others]);
+                    for (place, (key, (other, other_bound))) in keys.iter_mut().zip(others).enumerate() {
+                        if *key < gap + travelled {
+                            let apart = bound.distance_to(other_bound);
+                            if apart > gap + good_enough {
+                                *key = apart + travelled;
+                            } else {
+                                let segment = posed.get_or_insert_with(|| tooth.segments()[piece].posed(pose));
+                                // A pair that cannot have met yet cannot cross.
+                                let may_cross = *key <= travelled;
+                                let found =
+                                    if may_cross { distance(segment, other)? } else { distance_apart(segment, other) };
+                                *key = found + travelled;
+                                if found < gap {
+                                    gap = found;
+                                    self.last = (row, place);
+                                }
+                            }
+                        }
+                        if *key < least {
+                            least = *key;
+                        }
+                    }
+                    *key = least;
+                }
+                if *key < least_row {
+                    least_row = *key;
                 }
             }
-            self.row_keys[row] = self.keys[first..first + self.row_length].iter().fold(f64::INFINITY, |a, &b| a.min(b));
+            block.key = least_row;
         }
         Some(gap)
-    }
-
-    /// Renews the key of a pair; `None` where it crosses.
-    #[inline]
-    fn look(&mut self, row: usize, place: usize, pose: &Pose, gap: &mut f64) -> Option<()> {
-        let (tooth, space) = (self.engagement.tooth(), self.engagement.space());
-        let Row { piece, first_other } = self.rows[row];
-        let other = first_other + place;
-        let key = &mut self.keys[row * self.row_length + place];
-        let bound = tooth.bound_between_posed(piece, pose, space, other);
-        if bound > *gap + PATIENCE * self.engagement.motion().pitch {
-            *key = bound + self.travelled;
-            return Some(());
-        }
-        let found = distance(&tooth.segments()[piece].posed(pose), &space.segments()[other])?;
-        *key = found + self.travelled;
-        if found < *gap {
-            *gap = found;
-            self.last = (row, place);
-        }
-        Some(())
     }
 }
