@@ -62,10 +62,11 @@ impl Engagement {
             return Err(GeometryError::TeethDoNotMesh { flexspline: z_f, circular_spline: z_c });
         }
         let motion = ToothMotion {
+            pitch: curve.perimeter() / f64::from(z_f),
+            space_angle: 2.0 * PI / f64::from(z_c),
             height: tooth.profile().gear.pitch_radius - curve.radius(),
             reach: tooth.reach(),
             least_convex_radius: tooth.least_convex_radius().min(space.least_convex_radius()),
-            ..ToothMotion::new(curve.perimeter(), z_f, z_c)
         };
         Ok(Self { tooth, space, curve, motion, bounds: OnceLock::new() })
     }

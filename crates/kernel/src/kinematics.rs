@@ -1,7 +1,5 @@
 //! How fast a tooth moves against its space, per tooth index.
 
-use std::f64::consts::PI;
-
 use crate::neutral_curve::NeutralCurve;
 use crate::point::Point;
 
@@ -88,15 +86,5 @@ impl ToothMotion {
             velocity - position.clockwise() * turn,
             acceleration - velocity.clockwise() * (2.0 * turn) - position * (turn * turn),
         )
-    }
-
-    pub const fn new(curve_perimeter: f64, flexspline_teeth: u32, circular_spline_teeth: u32) -> Self {
-        Self {
-            pitch: curve_perimeter / flexspline_teeth as f64,
-            space_angle: 2.0 * PI / circular_spline_teeth as f64,
-            height: 0.0,
-            reach: 0.0,
-            least_convex_radius: f64::INFINITY,
-        }
     }
 }

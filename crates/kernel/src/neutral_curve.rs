@@ -6,7 +6,8 @@ use std::sync::Arc;
 use crate::arc_length::{self, ArcLength, Panels};
 use crate::ellipse;
 use crate::error::GeometryError;
-use crate::point::Point;
+use crate::fold::Fold;
+use crate::quadrant::{CurvePoint, Quadrant, polar, polar_point, polar_speed};
 use crate::ring_shape::SampledShape;
 
 /// How a displacement w makes a curve of a circle of radius R.
@@ -25,26 +26,8 @@ pub enum NeutralCurveModel {
 pub struct NeutralCurve {
     radius: f64,
     w0: f64,
-    form: Form,
+    form: Quadrant,
     arc_length: ArcLength,
-}
-
-#[derive(Clone, Debug)]
-enum Form {
-    /// r = base + amplitude · shape(φ), by the polar angle φ.
-    Polar { base: f64, amplitude: f64, shape: Arc<SampledShape> },
-    /// The ellipse with semi-axes `major` (along +Y) and `minor`, moved outward by `offset`, by its eccentric angle.
-    Ellipse { major: f64, minor: f64, offset: f64 },
-}
-
-/// One point of the curve with all that a tooth needs.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct CurvePoint {
-    pub position: Point,
-    /// Outward unit normal.
-    pub normal: Point,
-    /// > 0 for a convex curve (1/mm).
-    pub curvature: f64,
 }
 
 /// How much finer than a cosine an ellipse is sampled.
@@ -77,7 +60,7 @@ impl NeutralCurve {
         let at_nodes = shape.at_nodes.iter().map(|&f| polar_speed(base, amplitude, f));
         let at_ends = shape.at_ends.iter().map(|&f| polar_speed(base, amplitude, f));
         let arc_length = ArcLength::new(Arc::clone(&shape.panels), at_nodes, at_ends);
-        Self { radius, w0, form: Form::Polar { base, amplitude, shape: Arc::clone(shape) }, arc_length }.checked()
+        Self { radius, w0, form: Quadrant::Polar { base, amplitude, shape: Arc::clone(shape) }, arc_length }.checked()
     }
 
     /// The curve at the distance `offset` outside the ellipse of a cam (`offset` = 0: the ellipse itself), with its
@@ -98,7 +81,7 @@ impl NeutralCurve {
         }
         let major = radius + w0 - offset;
         let minor = ellipse::minor_semi_axis(major, 2.0 * PI * (radius - offset))?;
-        let form = Form::Ellipse { major, minor, offset };
+        let form = Quadrant::Ellipse { major, minor, offset };
         let panels = Arc::new(Panels::new(&[], ELLIPSE_FINENESS));
         let speed = |&t: &f64| form.speed(t);
         let arc_length =
@@ -140,8 +123,8 @@ impl NeutralCurve {
     pub fn stations(&self) -> impl Iterator<Item = CurvePoint> + '_ {
         let ends = &self.arc_length.panels().ends;
         ends.iter().enumerate().map(move |(i, &t)| match &self.form {
-            Form::Polar { base, amplitude, shape } => polar_point(t, polar(*base, *amplitude, shape.at_ends[i])),
-            Form::Ellipse { .. } => self.form.point(t),
+            Quadrant::Polar { base, amplitude, shape } => polar_point(t, polar(*base, *amplitude, shape.at_ends[i])),
+            Quadrant::Ellipse { .. } => self.form.point(t),
         })
     }
 
@@ -196,130 +179,6 @@ impl NeutralCurve {
     pub fn tangential_displacement(&self, phi: f64) -> f64 {
         let origin = 2.0 * PI * self.arc_length(phi) / self.perimeter();
         (self.radius + self.displacement(phi)[0]) * (phi - origin).sin()
-    }
-}
-
-impl Form {
-    /// The form's own parameter at the polar angle `phi`, 0 ≤ φ ≤ π/2.
-    fn parameter(&self, phi: f64) -> f64 {
-        match *self {
-            Self::Polar { .. } => phi,
-            Self::Ellipse { major, minor, offset } => {
-                let (sin, cos) = phi.sin_cos();
-                let mut t = (major * sin).atan2(minor * cos);
-                if offset > 0.0 {
-                    // Newton on the polar angle, whose derivative is (p × p′)/|p|².
-                    for _ in 0..50 {
-                        let point = self.point(t);
-                        let slope = self.speed(t) * point.normal.dot(point.position) / point.position.norm_squared();
-                        let step = (phi - point.position.angle()) / slope;
-                        t = (t + step).clamp(0.0, FRAC_PI_2);
-                        if step.abs() <= 1e-15 {
-                            break;
-                        }
-                    }
-                }
-                t
-            }
-        }
-    }
-
-    /// Arc length per parameter.
-    fn speed(&self, t: f64) -> f64 {
-        match self {
-            Self::Polar { base, amplitude, shape } => polar_speed(*base, *amplitude, shape.shape.at(t)),
-            Self::Ellipse { major, minor, offset } => {
-                let (sin, cos) = t.sin_cos();
-                let speed_squared = (minor * cos).powi(2) + (major * sin).powi(2);
-                // The equidistant is faster by offset times the turning of the normal.
-                speed_squared.sqrt() + offset * major * minor / speed_squared
-            }
-        }
-    }
-
-    fn point(&self, t: f64) -> CurvePoint {
-        match self {
-            Self::Polar { .. } => polar_point(t, self.polar(t)),
-            Self::Ellipse { major, minor, offset } => {
-                let (sin, cos) = t.sin_cos();
-                let speed = (minor * cos).hypot(major * sin);
-                let normal = Point::new(major * sin, minor * cos) * (1.0 / speed);
-                let radius_of_curvature = speed.powi(3) / (major * minor);
-                CurvePoint {
-                    position: Point::new(minor * sin, major * cos) + normal * *offset,
-                    normal,
-                    curvature: 1.0 / (radius_of_curvature + offset),
-                }
-            }
-        }
-    }
-
-    /// r and its first two derivatives by φ at the polar angle `phi`, 0 ≤ φ ≤ π/2.
-    fn polar(&self, phi: f64) -> [f64; 3] {
-        match self {
-            Self::Polar { base, amplitude, shape } => polar(*base, *amplitude, shape.shape.at(phi)),
-            Self::Ellipse { .. } => {
-                let CurvePoint { position, normal, curvature } = self.point(self.parameter(phi));
-                let r = position.norm();
-                // tan ψ = −r′/r, and r″ from the curvature of a polar curve.
-                let r1 = r * position.cross(normal) / position.dot(normal);
-                let speed_squared = r * r + r1 * r1;
-                [r, r1, (r * r + 2.0 * r1 * r1 - curvature * speed_squared * speed_squared.sqrt()) / r]
-            }
-        }
-    }
-}
-
-/// r and its derivatives from those of w/w0.
-fn polar(base: f64, amplitude: f64, [f, f1, f2]: [f64; 3]) -> [f64; 3] {
-    [base + amplitude * f, amplitude * f1, amplitude * f2]
-}
-
-/// Arc length per polar angle.
-fn polar_speed(base: f64, amplitude: f64, [f, f1, _]: [f64; 3]) -> f64 {
-    let (r, r1) = (base + amplitude * f, amplitude * f1);
-    (r * r + r1 * r1).sqrt()
-}
-
-fn polar_point(phi: f64, [r, r1, r2]: [f64; 3]) -> CurvePoint {
-    let speed_squared = r * r + r1 * r1;
-    let speed = speed_squared.sqrt();
-    let radial = Point::at_angle(phi);
-    CurvePoint {
-        position: radial * r,
-        normal: (radial * r - radial.clockwise() * r1) * (1.0 / speed),
-        curvature: (r * r + 2.0 * r1 * r1 - r * r2) / (speed_squared * speed),
-    }
-}
-
-/// A coordinate folded into the first quadrant of a curve that is even about both axes.
-#[derive(Clone, Copy)]
-struct Fold {
-    quarter: u8,
-}
-
-impl Fold {
-    /// The coordinate within the first quadrant (of size `quadrant`) and how to get back.
-    fn of(coordinate: f64, quadrant: f64) -> (f64, Self) {
-        let within_turn = coordinate.rem_euclid(4.0 * quadrant);
-        let quarter = ((within_turn / quadrant) as u8).min(3);
-        let fold = Self { quarter };
-        let within = (within_turn - f64::from(quarter) * quadrant).clamp(0.0, quadrant);
-        (if fold.reversed() { quadrant - within } else { within }, fold)
-    }
-
-    const fn reversed(self) -> bool {
-        self.quarter % 2 == 1
-    }
-
-    fn unfold(self, point: CurvePoint) -> CurvePoint {
-        let turn = |p: Point| match self.quarter {
-            0 => p,
-            1 => Point::new(p.x, -p.y),
-            2 => Point::new(-p.x, -p.y),
-            _ => Point::new(-p.x, p.y),
-        };
-        CurvePoint { position: turn(point.position), normal: turn(point.normal), ..point }
     }
 }
 
