@@ -110,6 +110,12 @@ fn overlap(
     }
 }
 
+/// The gap alone, of outlines that are known to cross.
+pub fn overlap_gap(first: &Outline, first_pieces: Range<usize>, second: &Outline, second_pieces: Range<usize>) -> f64 {
+    let into_second = depth::deepest(first, first_pieces, second, 0.0).map_or(0.0, |deep| deep.nearest.value);
+    depth::deepest(second, second_pieces, first, into_second).map_or(into_second, |deep| deep.nearest.value)
+}
+
 impl Clearance {
     /// The same with the bodies' roles exchanged.
     fn swapped(self) -> Self {

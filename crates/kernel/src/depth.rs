@@ -30,11 +30,7 @@ pub struct Deepest {
 
 /// The point on the given pieces of `outline` deepest inside `body`, if any is deeper than `best` (a signed distance).
 pub fn deepest(outline: &Outline, pieces: Range<usize>, body: &Outline, best: f64) -> Option<Deepest> {
-    let mut search = Search { outline, body, best, found: None };
-    for segment in pieces.clone() {
-        search.score(segment, 0.0, false);
-    }
-    search.score(pieces.end - 1, outline.segments()[pieces.end - 1].length(), false);
+    let mut search = Search { outline, body, best, found: None, last_nearest: 0 };
     for segment in pieces {
         search.piece(segment);
     }
@@ -46,13 +42,21 @@ struct Search<'a> {
     body: &'a Outline,
     best: f64,
     found: Option<Deepest>,
+    /// The piece of the body that was nearest to the last point asked: probably near the next one too.
+    last_nearest: usize,
 }
 
 impl Search<'_> {
+    fn signed_distance(&mut self, p: Point) -> SignedDistance {
+        let found = self.body.signed_distance_near(p, self.last_nearest);
+        self.last_nearest = found.segment;
+        found
+    }
+
     fn score(&mut self, segment: usize, u: f64, on_bisector: bool) -> SignedDistance {
         let piece = &self.outline.segments()[segment];
         let point = piece.point(u);
-        let nearest = self.body.signed_distance(point);
+        let nearest = self.signed_distance(point);
         // Rounding alone must not turn a foot of a common normal into a point of the bisector.
         let margin = if on_bisector { RESOLUTION } else { 0.0 };
         if nearest.value < self.best - margin {
@@ -95,7 +99,7 @@ impl Search<'_> {
     fn stretch(&mut self, segment: usize, from: f64, to: f64) {
         let piece = self.outline.segments()[segment];
         let (middle, width) = (piece.point(0.5 * (from + to)), to - from);
-        let at_middle = self.body.signed_distance(middle).value;
+        let at_middle = self.signed_distance(middle).value;
         if at_middle >= 0.0 || self.hopeless(at_middle, width) {
             return;
         }

@@ -5,7 +5,7 @@ use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
 use crate::body::Body;
-use crate::clearance::{Clearance, clearance};
+use crate::clearance::{Clearance, clearance, overlap_gap};
 use crate::error::GeometryError;
 use crate::kinematics::{MotionBounds, ToothMotion};
 use crate::neutral_curve::NeutralCurve;
@@ -181,6 +181,11 @@ impl Engagement {
     /// Signed clearance of one flank of a tooth whose outline is given in the frame of its space.
     pub(crate) fn flank(&self, tooth: &Outline, flank: Flank) -> Clearance {
         clearance(tooth, self.tooth_pieces(flank), self.space(), self.space_pieces(flank))
+    }
+
+    /// The gap of a flank whose outline crosses the circular spline's.
+    pub(crate) fn overlap_gap(&self, tooth: &Outline, flank: Flank) -> f64 {
+        overlap_gap(tooth, self.tooth_pieces(flank), self.space(), self.space_pieces(flank))
     }
 
     pub(crate) fn tooth_pieces(&self, flank: Flank) -> Range<usize> {

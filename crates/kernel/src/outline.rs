@@ -4,7 +4,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use crate::finishing::SMOOTH;
-use crate::nearest::{Nearest, Place};
+use crate::nearest::Place;
 use crate::point::Point;
 use crate::pose::Pose;
 use crate::profile::Profile;
@@ -195,8 +195,13 @@ impl Outline {
 
     /// Signed distance of `p` from the outline.
     pub fn signed_distance(&self, p: Point) -> SignedDistance {
-        let mut best = Nearest { distance: f64::INFINITY, place: Place::Start };
-        let mut segment = 0;
+        self.signed_distance_near(p, 0)
+    }
+
+    /// The same, quicker if the nearest piece is the one with the index `guess`.
+    pub fn signed_distance_near(&self, p: Point, guess: usize) -> SignedDistance {
+        let mut best = self.segments[guess].nearest(p);
+        let mut segment = guess;
         for (index, piece) in self.segments.iter().enumerate() {
             let bound = &self.bounds[index];
             let reach = best.distance.abs() + bound.radius;

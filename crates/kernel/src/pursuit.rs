@@ -92,9 +92,12 @@ impl<'a> Pursuit<'a> {
     /// The signed clearance of the flank at `pose`, or `limit` where the clearance is not below it.
     pub fn gap_below(&mut self, pose: &Pose, limit: f64) -> f64 {
         self.travel_to(pose);
+        let engagement = self.engagement;
+        let tooth = || engagement.tooth().posed(pose);
         match self.closest(pose, limit) {
-            Some(gap) if self.engagement.stands_free(pose) => gap,
-            _ => self.engagement.flank(&self.engagement.tooth().posed(pose), self.flank).gap.min(limit),
+            None => engagement.overlap_gap(&tooth(), self.flank).min(limit),
+            Some(gap) if engagement.stands_free(pose) => gap,
+            Some(_) => engagement.flank(&tooth(), self.flank).gap.min(limit),
         }
     }
 
