@@ -12,6 +12,10 @@ export PYO3_PYTHON := $(CURDIR)/$(BIN)/python
 export VIRTUAL_ENV := $(CURDIR)/$(VENV)
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
+# Installs a Debian package where that can be done without asking.
+apt_install = { [ "$$(id -u)" = 0 ] && command -v apt-get >/dev/null \
+	&& apt-get update -qq && apt-get install -y -qq $(1) >/dev/null; }
+
 .DEFAULT_GOAL := help
 .PHONY: help demo test soak bench docs fmt lock clean toolchain check-rust check-python
 
@@ -61,7 +65,8 @@ check-python: $(VENV)/dev.stamp $(VENV)/kernel.stamp
 	$(BIN)/pytest
 
 toolchain:
-	@cargo fmt --version >/dev/null 2>&1 && cargo clippy --version >/dev/null 2>&1 || { \
+	@cargo fmt --version >/dev/null 2>&1 && cargo clippy --version >/dev/null 2>&1 \
+		|| rustup component add rustfmt clippy 2>/dev/null || { \
 		echo "cargo has no rustfmt or no clippy. Run 'rustup component add rustfmt clippy'"; \
 		echo "or, with Debian's Rust, 'apt install rustfmt rust-clippy'."; exit 1; }
 
@@ -69,7 +74,7 @@ $(VENV)/python.stamp:
 	@command -v $(PYTHON) >/dev/null && $(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { \
 		echo "$(PYTHON) is missing or older than 3.11. Install Python 3.11 or newer, or name one: make PYTHON=python3.12"; \
 		exit 1; }
-	@$(PYTHON) -c 'import venv, ensurepip' 2>/dev/null || { \
+	@$(PYTHON) -c 'import venv, ensurepip' 2>/dev/null || $(call apt_install,python3-venv) || { \
 		echo "$(PYTHON) has no venv module. On Debian run 'apt install python3-venv', then make again."; exit 1; }
 	$(PYTHON) -m venv $(VENV)
 	@touch $@
