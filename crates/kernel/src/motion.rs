@@ -19,6 +19,9 @@ use crate::ties::{Neighbourhood, Side, free_of_ties};
 /// Subdivision ends here (share of the index), whatever the bounds say: rounding would go on for ever.
 const NARROWEST: f64 = 1e-11;
 
+/// Tolerance of a rough minimum (share of the tooth pitch).
+const ROUGH: f64 = 1e-3;
+
 /// The certified least gap over continuous index.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MotionMinimum {
@@ -44,7 +47,13 @@ impl Engagement {
         let quarter = self.quarter();
         let approach = |turn| {
             let mut curve = GapCurve::new(self, &[Flank::Right], turn);
-            let least = curve.minimum(-quarter, quarter, 0.25 * tolerance);
+            // Far from contact a rough minimum is enough for the next step.
+            let mut within = ROUGH * self.motion().pitch;
+            let mut least = curve.minimum(-quarter, quarter, within);
+            while within > 0.25 * tolerance && least.gap.abs() < 10.0 * within {
+                within = (0.01 * within).max(0.25 * tolerance);
+                least = curve.minimum(-quarter, quarter, within);
+            }
             let tooth = self.tooth().posed(&curve.pose(least.index));
             self.approach(&self.flank(&tooth, Flank::Right), Flank::Right)
         };
