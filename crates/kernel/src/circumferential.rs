@@ -6,10 +6,17 @@ use crate::pose::Pose;
 
 /// A gap below this share of the circular spline's pitch counts as contact.
 const CONTACT: f64 = 1e-12;
-/// Steps after which a flank that keeps grazing along is said not to touch.
+/// Steps after which a flank that keeps grazing along is said not to touch: for one tooth, and for the whole curve, where
+/// each step is a search of its own.
 const MOST_STEPS: usize = 100_000;
+pub const MOST_STEPS_IN_MOTION: usize = 200;
 /// A flank that closes with less than this share of the greatest speed grazes: Newton's step would be wild.
 const GRAZING: f64 = 0.2;
+
+/// An overlap that a turn lessens by less than this share of the greatest speed is radial: no turn frees it.
+const RADIAL: f64 = 1e-6;
+/// The longest way back out of an overlap in one step (share of half a pitch).
+const LONGEST_WAY_BACK: f64 = 0.1;
 
 /// A gap and how fast a turn closes it (mm per radian).
 #[derive(Clone, Copy, Debug)]
@@ -22,20 +29,28 @@ pub struct Approach {
 ///
 /// The gap must not change faster than `farthest` per radian. A step of gap / farthest then cannot pass a zero
 /// (conservative advancement: B. Mirtich, 1996); where the flank closes at a fair share of that speed, Newton's step is
-/// taken instead. An overlap is turned back the same way, so the result is negative.
+/// taken instead. An overlap is turned back by Newton's steps, so the result is negative; `None` too where the overlap is
+/// radial.
 pub fn turn_to_contact(
     mut approach: impl FnMut(f64) -> Approach,
     farthest: f64,
     half_pitch: f64,
     tolerance: f64,
+    most_steps: usize,
 ) -> Option<f64> {
     let mut turn = 0.0;
-    for _ in 0..MOST_STEPS {
+    for _ in 0..most_steps {
         let Approach { gap, closing } = approach(turn);
         if gap.abs() <= tolerance {
             return Some(turn);
         }
-        turn += gap / if closing > GRAZING * farthest { closing } else { farthest };
+        turn += if gap >= 0.0 {
+            gap / if closing > GRAZING * farthest { closing } else { farthest }
+        } else if closing > RADIAL * farthest {
+            (gap / closing).max(-LONGEST_WAY_BACK * half_pitch)
+        } else {
+            return None;
+        };
         if turn.is_nan() || turn.abs() > half_pitch {
             return None;
         }
@@ -58,7 +73,7 @@ impl Engagement {
             let tooth = self.tooth().posed(&self.turned(pose, flank, turn));
             self.approach(&self.flank(&tooth, flank), flank)
         };
-        turn_to_contact(approach, self.farthest(), self.half_pitch(), tolerance)
+        turn_to_contact(approach, self.farthest(), self.half_pitch(), tolerance, MOST_STEPS)
             .map(|turn| turn * self.circular_spline().gear.pitch_radius)
     }
 

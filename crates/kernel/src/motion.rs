@@ -10,7 +10,7 @@
 //! corners farther apart than gap + L h exclude corner on corner; and in an overlap, where the nearest piece of a body
 //! may change at a corner (an upward kink), the second bound is used only after [`free_of_ties`] has excluded that.
 
-use crate::circumferential::turn_to_contact;
+use crate::circumferential::{MOST_STEPS_IN_MOTION, turn_to_contact};
 use crate::engagement::{Engagement, Flank};
 use crate::pose::Pose;
 use crate::pursuit::Pursuit;
@@ -57,7 +57,7 @@ impl Engagement {
             let tooth = self.tooth().posed(&curve.pose(least.index));
             self.approach(&self.flank(&tooth, Flank::Right), Flank::Right)
         };
-        turn_to_contact(approach, self.farthest(), self.half_pitch(), 0.5 * tolerance)
+        turn_to_contact(approach, self.farthest(), self.half_pitch(), 0.5 * tolerance, MOST_STEPS_IN_MOTION)
             .map(|turn| turn * self.circular_spline().gear.pitch_radius)
     }
 }
