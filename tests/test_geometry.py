@@ -113,6 +113,14 @@ def test_a_geometry_that_cannot_be_is_a_fault_of_the_key_to_change(
     assert fault.remedy
 
 
+def test_a_fault_that_an_offset_may_have_caused_names_the_offset_too() -> None:
+    with pytest.raises(DesignError) as caught:
+        Geometry.of(case().replace({f"{FLEXSPLINE}.offset": -0.1, f"{CIRCULAR_SPLINE}.tip_arc_center[0]": 0.2}))
+    thinned, thick = caught.value.faults
+    assert thinned.remedy.endswith("or bring flexspline.profile.offset = -0.1 mm nearer to 0")
+    assert "offset" not in thick.remedy
+
+
 def test_faults_of_all_parts_come_at_once_with_the_values_of_the_design() -> None:
     design = case().replace(
         {

@@ -218,6 +218,15 @@ def test_the_closest_pieces_are_named() -> None:
     assert result.teeth.witnesses.circular_spline_piece[51, 1] == "flank line"
 
 
+def test_teeth_that_no_turn_frees_are_told_of_for_the_play_leaves_them_out() -> None:
+    """With w0 = 1.2 mm the tips stand 0.2 mm deep in the roots, and a turn moves them along."""
+    deep = analyze(case().replace("wave_generator.w0", 1.2))
+    assert np.isnan(deep.teeth.circumferential_left_um[51])
+    assert deep.tip_clearance_um == pytest.approx(-200.0, abs=1.0)
+    assert sum("no turn within half a pitch" in warning for warning in deep.warnings) == 1
+    assert not any("no turn" in warning for warning in analyze(case("dual-disk-0848")).warnings)
+
+
 @pytest.mark.parametrize("threshold_um", [0.0, -1.0, math.nan, math.inf])
 def test_a_threshold_that_counts_nothing_is_an_error(threshold_um: float) -> None:
     with pytest.raises(StrainwaveError, match="positive number of micrometres"):
@@ -226,7 +235,7 @@ def test_a_threshold_that_counts_nothing_is_an_error(threshold_um: float) -> Non
 
 @pytest.mark.parametrize("angle_deg", [math.nan, math.inf])
 def test_an_angle_that_is_no_angle_is_an_error(angle_deg: float) -> None:
-    with pytest.raises(StrainwaveError, match="finite number of degrees"):
+    with pytest.raises(StrainwaveError, match="from -1000000 to 1000000 degrees"):
         analyze(case(), generator_angle_deg=angle_deg)
 
 

@@ -93,7 +93,7 @@ def test_an_existing_csv_is_kept_unless_told_otherwise(tmp_path: Path) -> None:
 
 def test_a_notebook_shows_the_verdict_and_a_picture_and_escapes_the_name() -> None:
     html = analyze(case().replace("name", "<script>"))._repr_html_()
-    assert "Interference in motion" in html
+    assert "INTERFERENCE in motion, 5.71 µm deep" in html
     assert "&lt;script&gt;" in html
     assert "<script>" not in html
     assert "data:image/png;base64,iVBOR" in html

@@ -111,7 +111,9 @@ def test_an_unreadable_file(
         (["analyze", COSINE, "--threshold", "-1"], "positive number of micrometres, not -1"),
         (["analyze", COSINE, "--threshold", "nan"], "positive number of micrometres, not nan"),
         (["analyze", COSINE, "--angle", "right"], "--angle: 'right' must be a number of degrees"),
-        (["analyze", COSINE, "--angle", "inf"], "finite number of degrees, not inf"),
+        (["analyze", COSINE, "--angle", "inf"], "from -1000000 to 1000000 degrees, not inf"),
+        (["analyze", COSINE, "--angle", "1e300"], "from -1000000 to 1000000 degrees, not 1e+300"),
+        (["new", "a.toml", "--out", "b.toml"], "b.toml and a.toml: name one file"),
         (["analyze", COSINE, "--plot", "a.gif"], "a.gif: a picture's name must end in .png, .svg or .pdf"),
         (["analyze", COSINE, "--plot", "/no/such/place/a.png"], "there is no directory /no/such/place"),
         (["analyze", COSINE, "--csv", "/no/such/place/a.csv"], "there is no directory /no/such/place"),
@@ -172,6 +174,14 @@ def test_the_output_is_full() -> None:
         done = subprocess.run([COMMAND, "new"], stdout=full, stderr=subprocess.PIPE, text=True, check=False)
     assert done.returncode == 2
     assert done.stderr == "strainwave: the output cannot be written: No space left on device\n"
+
+
+@pytest.mark.parametrize("closed", ["1", "2"])
+def test_a_closed_stream(closed: str) -> None:
+    """What a shell's `>&-` and `2>&-` do."""
+    script = f'exec "$0" analyze "$1" {closed}>&-'
+    done = subprocess.run(["sh", "-c", script, COMMAND, COSINE], capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (0, "")
 
 
 def test_an_output_that_cannot_show_micrometres() -> None:

@@ -64,6 +64,9 @@ def test_new_writes_a_design_that_analyses(tmp_path: Path, capsys: pytest.Captur
     assert run(capsys, "new", "--out", target).code == 0
     assert target.read_text(encoding="utf-8") == template()
     assert run(capsys, "analyze", target).code == 0
+    again = tmp_path / "again.toml"
+    assert run(capsys, "new", again).out.startswith(f"{again}: a design to start from")
+    assert again.read_text(encoding="utf-8") == template()
 
 
 def test_validate_shows_the_geometry(capsys: pytest.CaptureFixture[str]) -> None:
@@ -88,10 +91,27 @@ def test_validate_as_json(tmp_path: Path, capsys: pytest.CaptureFixture[str]) ->
     assert {"key": "module", "value": -1, "unit": "mm"}.items() <= bad["faults"][0].items()
 
 
+@pytest.mark.parametrize(
+    ("written", "recorded"),
+    [("nan", "nan"), ("-inf", "-inf"), ("2026-01-31", "2026-01-31"), ("[1, nan]", "[1, nan]"), ("true", True),
+     ("0x" + "f" * 5000, "a number of thousands of digits")],
+    ids=["nan", "infinite", "date", "array", "boolean", "huge"],
+)  # fmt: skip
+def test_validate_as_json_records_values_that_json_cannot_hold(
+    written: str, recorded: object, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = tmp_path / "bad.toml"
+    file.write_text(template().replace("module = 0.8 ", f"module = {written} "), encoding="utf-8")
+    outcome = run(capsys, "validate", file, "--json")
+    assert outcome.code == 2
+    fault = json.loads(outcome.out)["faults"][0]
+    assert (fault["key"], fault["value"]) == ("module", recorded)
+
+
 def test_analyze_begins_with_the_verdict(capsys: pytest.CaptureFixture[str]) -> None:
     good = run(capsys, "analyze", CALIBRATED).out.splitlines()
     assert good[0] == "Case study, cosine cam, calibrated"
-    assert good[2] == "NO INTERFERENCE in motion: no gap is below 1.49 µm (certified to 0.001 µm)"
+    assert good[2] == "NO INTERFERENCE in motion, least gap 1.49 µm (certified to 0.001 µm)"
     bad = run(capsys, "analyze", COSINE).out.splitlines()
     assert bad[2] == "INTERFERENCE in motion, 5.71 µm deep (certified to 0.001 µm)"
 
@@ -166,6 +186,28 @@ def test_a_name_in_brackets_is_no_markup(tmp_path: Path, capsys: pytest.CaptureF
     file.write_text(template().replace("New design", "[bold]A[/x]"), encoding="utf-8")
     assert run(capsys, "analyze", file).out.startswith("[bold]A[/x]\n")
     assert run(capsys, "validate", file).out.startswith(f"valid  {file}: [bold]A[/x]\n")
+
+
+@pytest.mark.parametrize(
+    ("name", "shown"),
+    [
+        ("cost $\\\\frac{1$ up", "cost $\\frac{1$ up"),
+        ("齿轮 🛠", "齿轮 🛠"),
+        ("a\\nb\\u001b[31mc", "a\\nb\\x1b[31mc"),
+        ("n" * 200, "n" * 90),
+        ("", "unnamed design"),
+    ],
+    ids=["half a formula", "letters that the font lacks", "control characters", "long", "empty"],
+)
+def test_any_name_can_be_shown_and_drawn(
+    name: str, shown: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file, picture = tmp_path / "a.toml", tmp_path / "a.svg"
+    file.write_text(template().replace("New design", name), encoding="utf-8")
+    outcome = run(capsys, "analyze", file, "--plot", picture)
+    assert (outcome.code, outcome.err) == (0, "")
+    assert outcome.out.startswith(shown)
+    assert picture.exists()
 
 
 def test_case_study_sets_readings_side_by_side(capsys: pytest.CaptureFixture[str]) -> None:

@@ -7,6 +7,7 @@ from strainwave.analysis.figures import GeometryFigures
 from strainwave.analysis.gap_curve import CertifiedMinimum, GapCurve
 from strainwave.analysis.lobe import lobe_teeth
 from strainwave.analysis.play import Play
+from strainwave.analysis.rim import Rim
 from strainwave.analysis.teeth import Teeth
 from strainwave.analysis.witness import Witnesses
 
@@ -16,6 +17,7 @@ __all__ = [
     "GapCurve",
     "GeometryFigures",
     "Play",
+    "Rim",
     "Teeth",
     "ToothCount",
     "Witnesses",

@@ -2,23 +2,27 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from strainwave.analysis.counts import ToothCount
 from strainwave.analysis.figures import GeometryFigures
 from strainwave.analysis.gap_curve import CertifiedMinimum, GapCurve
+from strainwave.analysis.lobe import drive_teeth, tooth_index, within_lobe
 from strainwave.analysis.play import Play
+from strainwave.analysis.rim import Rim
 from strainwave.analysis.teeth import Teeth
-from strainwave.analysis.warnings import neutral_curve_warnings
+from strainwave.analysis.warnings import neutral_curve_warnings, play_warnings
 from strainwave.analysis.witness import Witnesses
 from strainwave.design import Design
 from strainwave.geometry import Geometry
+from strainwave.units import MICROMETRES_PER_MM
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -76,19 +80,38 @@ class Analysis:
         return self.in_motion.gap_um < 0.0
 
     @property
+    def verdict(self) -> str:
+        """Whether teeth overlap at any generator angle and by how much, in words."""
+        if self.interference:
+            return f"INTERFERENCE in motion, {-self.min_in_motion_um:.2f} µm deep"
+        return f"NO INTERFERENCE in motion, least gap {self.min_in_motion_um:.2f} µm"
+
+    @property
     def tip_clearance_um(self) -> float:
-        """Least radial clearance from a flexspline tip to the circular spline's root circle."""
-        return float(self.teeth.tip_clearance_um.min())
+        """Least radial clearance from a flexspline tip to the circular spline's root circle, of all teeth."""
+        return float(self._radial_um[0])
 
     @property
     def root_clearance_um(self) -> float:
-        """Least radial clearance from the circular spline's tip circle to a flexspline root."""
-        return float(self.teeth.root_clearance_um.min())
+        """Least radial clearance from the circular spline's tip circle to a flexspline root, of all teeth."""
+        return float(self._radial_um[1])
+
+    @cached_property
+    def _radial_um(self) -> NDArray[np.float64]:
+        """The least tip and root clearance of all z_f teeth: with an odd number those of the lobe are but half."""
+        teeth, angle_rad = self.design.flexspline.teeth, math.radians(self.generator_angle_deg)
+        index = within_lobe(tooth_index(drive_teeth(teeth), self.design, angle_rad), teeth)
+        least: NDArray[np.float64] = self.geometry.engagement.radial_clearances(abs(index)).min(axis=0)
+        return least * MICROMETRES_PER_MM
+
+    def rim(self, phi_deg: ArrayLike) -> Rim:
+        """Displacements, slope and bending moment of the rim at polar angles from the major axis, of any shape."""
+        return Rim.at(self.geometry.neutral_curve, phi_deg)
 
     @cached_property
     def warnings(self) -> tuple[str, ...]:
-        """What to know about the neutral curve before relying on the last micrometre."""
-        return neutral_curve_warnings(self.figures.neutral_curve)
+        """What to know about the neutral curve and the play before relying on the last micrometre."""
+        return (*neutral_curve_warnings(self.figures.neutral_curve), *play_warnings(self.teeth))
 
     def as_dict(self) -> dict[str, Any]:
         """The result as plain numbers and text under stable, versioned keys; ``None`` where a value is absent."""

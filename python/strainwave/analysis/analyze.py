@@ -21,13 +21,16 @@ from strainwave.errors import StrainwaveError
 from strainwave.geometry import Geometry
 from strainwave.units import MICROMETRES_PER_MM
 
+# Far more turns than any study needs, and so few that tooth numbers stay exact.
+GREATEST_ANGLE_DEG = 1e6
+
 
 def analyze(design: Design, *, threshold_um: float = 10.0, generator_angle_deg: float = 0.0) -> Analysis:
     """Backlash and interference of every tooth, and their minimum over all generator angles.
 
     ``threshold_um`` is what counts as nearly touching; ``generator_angle_deg`` turns the wave generator clockwise with
     the circular spline fixed. Raises ``DesignError`` where the design has no geometry, ``StrainwaveError`` where a
-    number is not finite or the threshold not positive.
+    number is not finite, the threshold not positive, or the angle beyond 1e6 degrees.
     """
     _check_arguments(threshold_um, generator_angle_deg)
     geometry = Geometry.of(design)
@@ -63,7 +66,7 @@ def analyze(design: Design, *, threshold_um: float = 10.0, generator_angle_deg: 
         interfering_teeth=teeth.tooth[overlap],
         first_interfering_tooth=_first(teeth.tooth[overlap], teeth.index[overlap]),
         play=play(
-            float(drive_gap_um[least_place]), least(engagement.circumferential(drive_index)) * MICROMETRES_PER_MM
+            float(drive_gap_um[least_place]), least(engagement.circumferential(abs(drive_index))) * MICROMETRES_PER_MM
         ),
         play_in_motion=play(in_motion.gap_um, turn_in_motion * MICROMETRES_PER_MM),
         figures=GeometryFigures.of(geometry, design),
@@ -74,8 +77,9 @@ def analyze(design: Design, *, threshold_um: float = 10.0, generator_angle_deg: 
 def _check_arguments(threshold_um: float, generator_angle_deg: float) -> None:
     if not (math.isfinite(threshold_um) and threshold_um > 0.0):
         raise StrainwaveError(f"the threshold must be a positive number of micrometres, not {threshold_um:g}")
-    if not math.isfinite(generator_angle_deg):
-        raise StrainwaveError(f"the generator angle must be a finite number of degrees, not {generator_angle_deg:g}")
+    if not abs(generator_angle_deg) <= GREATEST_ANGLE_DEG:
+        allowed = f"from -{GREATEST_ANGLE_DEG:.0f} to {GREATEST_ANGLE_DEG:.0f} degrees"
+        raise StrainwaveError(f"the generator angle must be {allowed}, not {generator_angle_deg:g}")
 
 
 def _nearest_to_axis(index: NDArray[np.float64], gap_um: NDArray[np.float64] | None = None) -> int:

@@ -26,9 +26,8 @@ def analysis_html(analysis: Analysis) -> str:
         f"{analysis.play_in_motion.angular_arcsec:.1f}″",
     }
     body = "".join(f"<tr><th style='text-align:left'>{key}</th><td>{value}</td></tr>" for key, value in rows.items())
-    verdict = "Interference in motion" if analysis.interference else "No interference in motion"
     return (
-        f"<div><b>{escape(analysis.design.name)}</b>: {verdict}<table>{body}</table>"
+        f"<div><b>{escape(analysis.design.title)}</b>: {analysis.verdict}<table>{body}</table>"
         f"<img alt='Backlash over tooth index' src='data:image/png;base64,{_picture(analysis)}'></div>"
     )
 

@@ -1,8 +1,11 @@
-"""What a reader of the results must know about the neutral curve they rest on."""
+"""What a reader of the results must know about what they rest on and what they leave out."""
 
 from __future__ import annotations
 
+import numpy as np
+
 from strainwave.analysis.figures import NeutralCurveFigures
+from strainwave.analysis.teeth import Teeth
 from strainwave.units import MICROMETRES_PER_MM
 
 # Half the certificate of the backlash: smaller departures of the curve cannot be seen in any result.
@@ -30,3 +33,16 @@ def neutral_curve_warnings(curve: NeutralCurveFigures) -> tuple[str, ...]:
             f"other neutral curves give other clearances."
         )
     return tuple(found)
+
+
+def play_warnings(teeth: Teeth) -> tuple[str, ...]:
+    """A sentence where flanks overlap that no turn frees, such as a tip in a root: the play does not count them."""
+    stuck_left = (teeth.left_um < 0.0) & np.isnan(teeth.circumferential_left_um)
+    stuck_right = (teeth.right_um < 0.0) & np.isnan(teeth.circumferential_right_um)
+    count = int((stuck_left | stuck_right).sum())
+    if not count:
+        return ()
+    return (
+        f"{count} teeth of the lobe overlap so that no turn within half a pitch frees them; the circumferential and "
+        f"angular play leave them out.",
+    )

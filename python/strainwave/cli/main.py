@@ -14,6 +14,7 @@ INTERRUPTED = 130
 
 def main(arguments: Sequence[str] | None = None) -> NoReturn:
     """Run the command line and exit: 0 done, 1 interference found by ``--check``, 2 an error, 130 interrupted."""
+    _open_what_is_closed()
     for stream in (sys.stdout, sys.stderr):
         _write_what_the_terminal_cannot_show_as_question_marks(stream)
     try:
@@ -64,6 +65,13 @@ def _usage_message(error: Any) -> str:
 def _complain(message: str, code: int = ERROR) -> int:
     print(f"strainwave: {message}", file=sys.stderr)
     return code
+
+
+def _open_what_is_closed() -> None:
+    """A shell's `>&-` leaves Python without the stream; what is written to it goes nowhere then."""
+    for name in ("stdout", "stderr"):
+        if getattr(sys, name) is None:
+            setattr(sys, name, os.fdopen(os.open(os.devnull, os.O_WRONLY), "w", encoding="utf-8"))
 
 
 def _write_what_the_terminal_cannot_show_as_question_marks(stream: TextIO) -> None:

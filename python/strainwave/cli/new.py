@@ -11,6 +11,9 @@ from strainwave.cli.options import Force
 
 
 def new(
+    design: Annotated[
+        Path | None, typer.Argument(metavar="DESIGN", help="The same as --out DESIGN.", show_default=False)
+    ] = None,
     out: Annotated[Path | None, typer.Option("--out", metavar="FILE", help="Write it to FILE; else print it.")] = None,
     force: Force = False,
 ) -> None:
@@ -18,8 +21,11 @@ def new(
     from strainwave.design import template
     from strainwave.whole_file import write_whole
 
-    if out is None:
+    if design is not None and out is not None:
+        raise typer.BadParameter(f"{out} and {design}: name one file", param_hint="--out")
+    file = out or design
+    if file is None:
         typer.echo(template(), nl=False)
         return
-    write_whole(out, template(), overwrite=force)
-    typer.echo(f"{out}: a design to start from; next: strainwave analyze {out}")
+    write_whole(file, template(), overwrite=force)
+    typer.echo(f"{file}: a design to start from; next: strainwave analyze {file}")

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from strainwave.plots.style import BLUE, GREY, INK, VERMILION, house_style
+from strainwave.plots.style import BLUE, GREY, INK, VERMILION, house_style, set_title
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -32,12 +32,26 @@ def backlash_figure(analysis: Analysis) -> Figure:
         draw_threshold_and_interference(axes, analysis)
         draw_gap(axes, analysis)
         mark_minimum(axes, analysis)
-        axes.set_title(analysis.design.name)
+        _title(axes, analysis)
         axes.set_xlabel("tooth index from the major axis")
         axes.set_ylabel("normal backlash, µm")
         figure.legend(loc="outside lower center", ncols=3)
         note_gap_beyond_the_top(axes, analysis)
     return figure
+
+
+def _title(axes: Axes, analysis: Analysis) -> None:
+    """The design's name and what was found, so that the picture can be read without its report."""
+    generator, model = analysis.design.wave_generator, analysis.figures.neutral_curve.model
+    set_title(axes, analysis.design.title, pad=20.0)
+    axes.annotate(
+        f"{analysis.verdict}; {generator.kind}, w0 {generator.w0:g} mm, {model} neutral curve",
+        (0.0, 1.0),
+        (0.0, 6.0),
+        xycoords="axes fraction",
+        textcoords="offset points",
+        color=VERMILION if analysis.interference else INK,
+    )
 
 
 def limit_to_contact(axes: Axes, *analyses: Analysis, thresholds_shown: float = THRESHOLDS_SHOWN) -> None:
@@ -57,12 +71,12 @@ def draw_threshold_and_interference(axes: Axes, analysis: Analysis) -> None:
     axes.axhline(analysis.threshold_um, color=GREY, lw=1.0, ls=(0, (5, 3)), label=f"{analysis.threshold_um:g} µm")
 
 
-def draw_gap(axes: Axes, analysis: Analysis) -> None:
+def draw_gap(axes: Axes, analysis: Analysis, reading: str = "") -> None:
     """The curve of all generator angles behind the whole teeth; interfering teeth have a shape of their own."""
-    axes.plot(*gap_on_both_sides(analysis), color=BLUE, lw=1.1, alpha=0.7, label="every generator angle")
+    axes.plot(*gap_on_both_sides(analysis), color=BLUE, lw=1.1, alpha=0.7, label=f"{reading}every generator angle")
     teeth = analysis.teeth
     overlap = teeth.backlash_um < 0.0
-    at = f"teeth at {analysis.generator_angle_deg:g}°"
+    at = f"{reading}teeth at {analysis.generator_angle_deg:g}°"
     axes.plot(teeth.index[~overlap], teeth.backlash_um[~overlap], "o", ms=3.2, mec=BLUE, mfc="white", mew=0.9, label=at)
     if overlap.any():
         axes.plot(teeth.index[overlap], teeth.backlash_um[overlap], "X", ms=4.6, mec=VERMILION, mfc=VERMILION,
@@ -102,7 +116,7 @@ def note_gap_beyond_the_top(axes: Axes, analysis: Analysis) -> None:
         axes.text(
             0.5,
             0.98,
-            f"rises to {widest:.0f} µm above the picture",
+            f"goes on beyond the top, to {widest:.0f} µm",
             transform=axes.transAxes,
             ha="center",
             va="top",

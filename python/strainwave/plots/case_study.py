@@ -48,7 +48,7 @@ def case_study_figure(study: CaseStudy) -> Figure:
 def _draw_case(axes: Axes, calibrated: CaseResult, printed: CaseResult) -> None:
     draw_threshold_and_interference(axes, calibrated.analysis)
     _draw_printed(axes, printed)
-    draw_gap(axes, calibrated.analysis)
+    draw_gap(axes, calibrated.analysis, "calibrated, ")
     _mark_published(axes, calibrated.case.published)
     axes.set_title(calibrated.case.title)
     axes.text(
@@ -90,11 +90,11 @@ def _figures_text(calibrated: CaseResult, printed: CaseResult) -> str:
     ]
     if published.teeth_below_per_side is not None:
         counts = (published.teeth_below_per_side, *(each.teeth_below.per_side for each in computed))
-        rows.append(("< 10 µm a side", *(f"{count}" for count in counts)))
+        rows.append(("< 10 µm per side", *(f"{count}" for count in counts)))
     if published.first_interfering_tooth is not None:
         firsts = (published.first_interfering_tooth, *(each.first_interfering_tooth for each in computed))
         rows.append(("interferes from", *(f"{first}" for first in firsts)))
-    return "\n".join(f"{row[0]:<15}" + "".join(f"{cell:>11}" for cell in row[1:]) for row in rows).replace("-", "−")
+    return "\n".join(f"{row[0]:<16}" + "".join(f"{cell:>12}" for cell in row[1:]) for row in rows).replace("-", "−")
 
 
 def _one_of_each(panels: Iterable[Axes]) -> tuple[list[Artist], list[str]]:

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from strainwave.plots.outline import placed, tooth_outline
-from strainwave.plots.style import BLUE, GREY, INK, ORANGE, SKY, VERMILION, house_style
+from strainwave.plots.style import BLUE, GREY, INK, ORANGE, SKY, VERMILION, house_style, set_title
 from strainwave.units import MICROMETRES_PER_MM
 
 if TYPE_CHECKING:
@@ -31,12 +31,13 @@ def mesh_figure(analysis: Analysis) -> Figure:
 
     view = _UprightView(analysis)
     with house_style():
-        figure = Figure(figsize=(9.0, 4.0), layout="constrained")
+        figure = Figure(figsize=(9.0, 3.7), layout="constrained")
         wide, close = figure.subplots(1, 2, width_ratios=[1.7, 1.0])
         for axes in (wide, close):
             view.draw_teeth(axes)
             axes.grid(visible=False)
-            axes.set_aspect("equal")
+            # Anchored at the top, so that the titles stand on one line.
+            axes.set_aspect("equal", anchor="N")
         _frame_wide(wide, analysis, view)
         _frame_close(close, analysis, view)
     return figure
@@ -80,8 +81,8 @@ def _frame_wide(axes: Axes, analysis: Analysis, view: _UprightView) -> None:
     axes.plot(0.0, 0.0, "o", ms=9, mfc="none", mec=VERMILION, mew=1.4)
     axes.text(0.0, -3.1 * module, "flexspline", ha="center", color=BLUE)
     axes.text(0.0, 2.9 * module, "circular spline", ha="center", color=INK)
-    axes.set_title(f"{analysis.design.name}, tooth index {analysis.in_motion.index:.1f}")
-    axes.set_xlabel("mm")
+    set_title(axes, analysis.design.title, longest=50)
+    axes.set_xlabel(f"mm    (about tooth index {analysis.in_motion.index:.1f})")
 
 
 def _frame_close(axes: Axes, analysis: Analysis, view: _UprightView) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import warnings
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -33,6 +34,8 @@ def picture_bytes(figure: Figure, kind: str, *, description: str = "") -> bytes:
         "svg": {"Date": None, "Description": description},
         "pdf": {"CreationDate": None, "Subject": description},
     }[kind]
-    with house_style():
+    with house_style(), warnings.catch_warnings():
+        # A letter of a name that the font lacks is drawn as a box; there is nothing to do about it.
+        warnings.filterwarnings("ignore", "Glyph .* missing from font")
         figure.savefig(file, format=kind, dpi=DOTS_PER_INCH, metadata=metadata)
     return file.getvalue()

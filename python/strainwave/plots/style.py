@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 # Okabe and Ito's colours, distinguishable with every common kind of colour blindness.
 BLUE = "#0072B2"
@@ -49,3 +52,9 @@ def house_style() -> Iterator[None]:
 
     with mpl.rc_context(_SETTINGS):  # type: ignore[arg-type]
         yield
+
+
+def set_title(axes: Axes, title: str, *, longest: int = 70, pad: float | None = None) -> None:
+    """A title of the user's own words: cut where it would leave the picture, and no dollar in it begins a formula."""
+    shown = title if len(title) <= longest else f"{title[: longest - 1]}…"
+    axes.set_title(shown, pad=pad, parse_math=False)

@@ -8,7 +8,7 @@ import numpy as np
 
 from strainwave.cli.tables.geometry import geometry_table
 from strainwave.cli.tables.grid import grid, key_values
-from strainwave.cli.tables.number import fixed, span, whole
+from strainwave.cli.tables.number import fixed, general, span, whole
 from strainwave.cli.tables.zones import STATES, zones
 
 if TYPE_CHECKING:
@@ -45,19 +45,16 @@ def analysis_report(analysis: Analysis, *, all_teeth: bool) -> Iterator[Renderab
 def _verdict(analysis: Analysis) -> Iterator[Text]:
     from rich.text import Text
 
-    design, motion = analysis.design, analysis.in_motion
+    design = analysis.design
     generator = design.wave_generator
-    yield Text(design.name or "unnamed design", "bold")
+    yield Text(design.title, "bold")
     yield Text(
         f"{generator.kind}, w0 {generator.w0:g} mm (w0* {generator.w0 / design.module:.4g}), "
         f"{analysis.figures.neutral_curve.model} neutral curve, module {design.module:g} mm, "
         f"ratio {fixed(design.ratio, 0 if design.ratio.is_integer() else 3)}"
     )
-    if analysis.interference:
-        verdict, colour = f"INTERFERENCE in motion, {fixed(-motion.gap_um)} µm deep", "bold red"
-    else:
-        verdict, colour = f"NO INTERFERENCE in motion: no gap is below {fixed(motion.gap_um)} µm", "bold green"
-    yield Text.assemble((verdict, colour), f" (certified to {motion.certified_to_um:g} µm)")
+    colour = "bold red" if analysis.interference else "bold green"
+    yield Text.assemble((analysis.verdict, colour), f" (certified to {analysis.in_motion.certified_to_um:g} µm)")
 
 
 def _tightest(analysis: Analysis) -> Table:
@@ -75,7 +72,7 @@ def _tightest(analysis: Analysis) -> Table:
         f"circular spline",
     )
     table.add_row(
-        f"least at {analysis.generator_angle_deg:g}°",
+        f"least at {general(analysis.generator_angle_deg)}°",
         f"{fixed(analysis.min_backlash_um, 3)} µm at tooth {whole(analysis.min_tooth)}",
     )
     if analysis.first_interfering_tooth is not None:
@@ -100,7 +97,7 @@ def _counts(analysis: Analysis) -> Table:
 def _play(analysis: Analysis) -> Table:
     table = grid("play, one direction", "normal µm", "circumferential µm", "angular ″")
     for name, play in (
-        (f"at {analysis.generator_angle_deg:g}°", analysis.play),
+        (f"at {general(analysis.generator_angle_deg)}°", analysis.play),
         ("in motion", analysis.play_in_motion),
     ):
         table.add_row(name, fixed(play.normal_um), fixed(play.circumferential_um), fixed(play.angular_arcsec))
@@ -129,7 +126,15 @@ def _zones(analysis: Analysis) -> Table:
 
 def _every_tooth(analysis: Analysis) -> Table:
     teeth = analysis.teeth
-    table = grid("tooth", "from axis °", "left µm", "right µm", "j_t left", "j_t right", "tip", "root µm")
+    sides = ("left µm", "right µm")
+    table = grid(
+        "tooth",
+        "from\naxis °",
+        *(f"normal\n{side}" for side in sides),
+        *(f"circumf.\n{side}" for side in sides),
+        "radial\ntip µm",
+        "radial\nroot µm",
+    )
     for state, _, run in zones(teeth, analysis.threshold_um, np.arange(len(teeth))):
         for place in run:
             table.add_row(
