@@ -12,6 +12,8 @@ if TYPE_CHECKING:
     from strainwave.analysis import Analysis as Analysis
     from strainwave.analysis import GapCurve as GapCurve
     from strainwave.analysis import analyze as analyze
+    from strainwave.batch import Batch as Batch
+    from strainwave.batch import evaluate_batch as evaluate_batch
     from strainwave.design import Design as Design
     from strainwave.design import dumps as dumps
     from strainwave.design import load as load
@@ -30,6 +32,8 @@ _HOME_OF = {
     "Analysis": "strainwave.analysis",
     "GapCurve": "strainwave.analysis",
     "analyze": "strainwave.analysis",
+    "Batch": "strainwave.batch",
+    "evaluate_batch": "strainwave.batch",
     "Design": "strainwave.design",
     "dumps": "strainwave.design",
     "load": "strainwave.design",
@@ -43,6 +47,7 @@ _HOME_OF = {
 
 __all__ = [
     "Analysis",
+    "Batch",
     "Design",
     "DesignError",
     "Fault",
@@ -51,6 +56,7 @@ __all__ = [
     "StrainwaveError",
     "analyze",
     "dumps",
+    "evaluate_batch",
     "load",
     "loads",
     "save",

@@ -36,8 +36,10 @@ CURVE_FAULTS = {
     "not-finite": ("w0", MM, "Bring it to the size of the gear"),
     "curve-not-simple": ("w0", MM, "Reduce it (usual is about one module for a tooth difference of 2)"),
     "no-such-ellipse": ("w0", MM, "Reduce it, or cam_to_neutral, or correct the neutral radius"),
-    "perimeter-not-kept": ("w0", MM, "Reduce it"),
+    "perimeter-not-kept": ("w0", MM, "Reduce it (usual is about one module for a tooth difference of 2)"),
 }
+# Faults that an offset may have brought about, though the key to blame is another.
+BY_OFFSET = {"tip-not-reached", "tip-pointed", "root-not-reached", "fillet-does-not-fit", "space-too-narrow"}
 # Codes that no design causes, because the spec has ruled them out: empty or gaping chains, malformed ring shapes, teeth
 # that are too few or do not mesh. Meeting one is a bug.
 RULED_OUT = {"empty-chain", "join-gap", "bad-shape", "too-few-teeth", "teeth-do-not-mesh"}
@@ -95,4 +97,7 @@ def _blaming(
         value: object = getattr(design, table)
         for part in name.split("."):
             value = getattr(value, part)
+        offset = getattr(design, table).profile.offset if error.code in BY_OFFSET else 0.0
+        if offset:
+            remedy += f", or bring {table}.profile.offset = {offset:g} {MM} nearer to 0"
         faults.append(Fault(f"{table}.{name}", value if unit else None, unit, str(error), remedy))

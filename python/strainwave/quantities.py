@@ -8,11 +8,12 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from numbers import Integral, Real
-from typing import Annotated, Any
+from typing import Annotated, Any, overload
 
 from pydantic import GetJsonSchemaHandler
 from pydantic_core import CoreSchema, core_schema
 
+from strainwave.columns import Floats, Mask, Numbers
 from strainwave.errors import Fault, FaultError
 from strainwave.units import parse_angle
 
@@ -37,9 +38,18 @@ class Quantity:
     def read(self, value: object) -> float:
         """`value` as a plain float (or int) in range; ValueError says what is allowed."""
         number = self._number(value)
-        if not self.least <= number <= self.greatest or (self.open_end and number == self.greatest):
+        if not self.holds(number):
             raise ValueError(f"must be {self.allowed}")
         return number
+
+    @overload
+    def holds(self, number: float) -> bool: ...
+    @overload
+    def holds(self, number: Floats) -> Mask: ...
+    def holds(self, number: Numbers) -> bool | Mask:
+        """Whether a number lies in range, or each of an array does; nan never does."""
+        below = number < self.greatest if self.open_end else number <= self.greatest
+        return (number >= self.least) & below
 
     def _number(self, value: object) -> float:
         if isinstance(value, bool) or not isinstance(value, Real):

@@ -11,7 +11,7 @@ from pydantic import TypeAdapter, ValidationError
 from scipy.special import ellipe
 
 from strainwave.wave_generators import AnyWaveGenerator, Cosine, DualDisk, Ellipse, Table, WaveGenerator
-from strainwave.wave_generators.dual_disk import disk_radius_of, wrap_angle_of
+from strainwave.wave_generators.dual_disk import disk_radius_of, disk_radius_range, wrap_angle_of, wrappable
 
 RADIUS, W0 = 79.8304, 0.848
 SHAPED: list[dict[str, Any]] = [
@@ -79,8 +79,8 @@ def test_the_ellipse_has_no_choice_of_neutral_curve() -> None:
 
 @pytest.mark.parametrize("angle", [0.0, 1e-3, 13.0, 20.0, 45.0, 80.0])
 def test_the_disk_radius_gives_the_wrap_angle_back(angle: float) -> None:
-    radius = disk_radius_of(math.radians(angle), RADIUS, W0)
-    assert math.degrees(wrap_angle_of(radius, RADIUS, W0)) == pytest.approx(angle, abs=1e-7)
+    radius = float(disk_radius_of(math.radians(angle), RADIUS, W0))
+    assert np.degrees(wrap_angle_of(radius, RADIUS, W0)) == pytest.approx(angle, abs=1e-7)
     by_radius = DualDisk(w0=W0, disk_radius=radius).shape(RADIUS).displacement(np.linspace(0.0, 1.5, 9))
     by_angle = DualDisk(w0=W0, wrap_angle=angle).shape(RADIUS).displacement(np.linspace(0.0, 1.5, 9))
     assert by_radius == pytest.approx(by_angle, abs=1e-6)
@@ -90,17 +90,30 @@ def test_the_neutral_arc_over_the_disk_has_the_disk_radius() -> None:
     """1/curvature is the disk radius all over the wrap up to terms of w0²: a tenth of w0, a hundredth of the error."""
     errors = []
     for w0 in (0.1, 0.01):
-        disk_radius = disk_radius_of(math.radians(30.0), RADIUS, w0)
+        disk_radius = float(disk_radius_of(math.radians(30.0), RADIUS, w0))
         curve = DualDisk(w0=w0, disk_radius=disk_radius, neutral_curve="first-order").curve(RADIUS)
         errors.append(np.abs(1.0 / curve.curvature(np.radians([0.0, 10.0, 20.0, 29.0])) - disk_radius).max())
         assert abs(1.0 / curve.curvature(math.radians(40.0)) - disk_radius) > 0.1 * w0
     assert errors[0] / errors[1] == pytest.approx(100.0, rel=0.05)
 
 
-@pytest.mark.parametrize("disk_radius", [76.2, 78.34])
-def test_a_disk_radius_out_of_reach_names_the_range(disk_radius: float) -> None:
-    with pytest.raises(ValueError, match=r"must lie from 76\.2018\d* to 78\.3322\d* mm"):
-        wrap_angle_of(disk_radius, RADIUS, W0)
+def test_wrap_angles_are_found_to_rounding_all_over_their_range() -> None:
+    angles = np.linspace(0.0, math.radians(80.0), 1777)
+    found = wrap_angle_of(disk_radius_of(angles, RADIUS, W0), RADIUS, W0)
+    assert found == pytest.approx(angles, abs=1e-11)
+
+
+def test_a_ring_wraps_disks_of_a_range_of_radii() -> None:
+    least, greatest = disk_radius_range(RADIUS, W0)
+    assert (least, greatest) == pytest.approx((76.2018, 78.3322), abs=1e-4)
+    radii = np.array([76.2, least, 77.0, greatest, 78.34])
+    assert wrappable(radii, RADIUS, W0).tolist() == [
+        False,
+        True,
+        True,
+        True,
+        False,
+    ]
 
 
 @pytest.mark.parametrize(
@@ -135,7 +148,7 @@ def test_samples_are_interpolated_exactly() -> None:
     angles = np.linspace(0.0, math.pi / 2, 9)
     samples = np.cos(2.0 * np.outer(angles, np.arange(9))) @ coefficients
     table = Table(w0=W0, samples=tuple(samples.tolist()))
-    assert table.shape(RADIUS).coefficients == pytest.approx(coefficients, abs=1e-15)
+    assert table.shapes(np.array([RADIUS]), {}).coefficients[0] == pytest.approx(coefficients, abs=1e-15)
     rough = (1.0, 0.3, 0.4, -0.9, -0.2)
     met = Table(w0=W0, samples=rough).shape(RADIUS).displacement(np.linspace(0.0, math.pi / 2, 5))[:, 0]
     assert met == pytest.approx(rough, abs=1e-14)

@@ -10,8 +10,8 @@ import pytest
 from scipy.integrate import quad
 
 from strainwave.wave_generators import Cosine, DualDisk, FourRoller, RingShape, Shape, TwoRoller
-from strainwave.wave_generators.dual_disk import GREATEST_WRAP_ANGLE_DEG, dual_disk_shape
-from strainwave.wave_generators.four_roller import GREATEST_ROLLER_ANGLE_DEG, four_roller_shape
+from strainwave.wave_generators.dual_disk import GREATEST_WRAP_ANGLE_DEG, dual_disk_rows
+from strainwave.wave_generators.four_roller import GREATEST_ROLLER_ANGLE_DEG, four_roller_rows
 
 RADIUS = 79.8304  # any: only a dual disk given by its radius depends on it
 SHAPES: dict[str, Shape] = {
@@ -130,7 +130,7 @@ def shear(shape: RingShape, row: int, phi: float) -> float:
 def test_each_of_four_rollers_presses_with_the_sourced_force(angle: float) -> None:
     """The jump of shear at the roller is the force 2 k EI w0 / R^3, k = 1/(A - 4/pi), and it presses outwards."""
     beta = math.radians(angle)
-    shape = four_roller_shape(beta)
+    shape = RingShape(four_roller_rows(beta))
     k = 1.0 / (math.sin(beta) + (math.pi / 2 - beta) * math.cos(beta) - 4.0 / math.pi)
     jump = shear(shape, 1, beta) - shear(shape, 0, beta)
     assert jump == pytest.approx(2.0 * k, rel=1e-12)
@@ -141,22 +141,22 @@ def test_the_limit_of_the_roller_angle_is_where_the_ring_would_lift_off() -> Non
     """M(0) changes sign at 39.54 degrees, w(0) stops being the greatest at 40.71, w0 vanishes at 43.89."""
 
     def moment_at_major_axis(angle: float) -> float:
-        return float(four_roller_shape(math.radians(angle)).moment(0.0))
+        return float(RingShape(four_roller_rows(math.radians(angle))).moment(0.0))
 
     def rise_beyond_the_major_axis(angle: float) -> float:
         phi = np.linspace(0.0, math.pi / 2, 9001)
-        return float(four_roller_shape(math.radians(angle)).displacement(phi)[1:, 0].max() - 1.0)
+        return float(RingShape(four_roller_rows(math.radians(angle))).displacement(phi)[1:, 0].max() - 1.0)
 
     assert moment_at_major_axis(GREATEST_ROLLER_ANGLE_DEG) > 0.0
     assert moment_at_major_axis(39.53) > 0.0 > moment_at_major_axis(39.55)
     assert rise_beyond_the_major_axis(40.6) < 0.0 < rise_beyond_the_major_axis(40.8)
-    assert four_roller_shape(math.radians(43.88)).rows[0, 2] > 0.0 > four_roller_shape(math.radians(43.90)).rows[0, 2]
+    assert four_roller_rows(math.radians(43.88))[0, 2] > 0.0 > four_roller_rows(math.radians(43.90))[0, 2]
 
 
 @pytest.mark.parametrize("angle", [1.0, 13.0, 45.0, GREATEST_WRAP_ANGLE_DEG, 89.0])
 def test_the_disk_presses_outwards_and_the_rim_leaves_it_beyond_the_wrap(angle: float) -> None:
     beta = math.radians(angle)
-    shape = dual_disk_shape(beta)
+    shape = RingShape(dual_disk_rows(beta))
     _, d, e, *_ = shape.rows[0]
     edge_force = shear(shape, 1, beta) - shear(shape, 0, beta)
     # Hoop force at the wrap's end, from equilibrium of the free part: N = -dV/dphi = 2 q sin phi. Pressure is N / R.
@@ -173,4 +173,4 @@ def test_the_limit_of_the_wrap_angle_is_where_the_minor_axis_bends_five_times_as
     greatest = moment(SHAPES["two-roller"], 0.0)
     at_limit = moment(SHAPES["dual-disk 80"], 90.0)
     assert 5.0 * greatest < -at_limit < 5.5 * greatest
-    assert moment(dual_disk_shape(math.radians(89.0)), 90.0) < -200.0  # on the way to a kink
+    assert moment(RingShape(dual_disk_rows(math.radians(89.0))), 90.0) < -200.0  # on the way to a kink

@@ -11,7 +11,7 @@ from strainwave.design import rules
 from strainwave.design.faults import faults_of
 from strainwave.design.replacement import replaced
 from strainwave.design.splines import CircularSpline, Flexspline
-from strainwave.errors import DesignError, FaultError
+from strainwave.errors import DesignError, FaultError, shown_text
 from strainwave.quantities import ModuleSize
 from strainwave.spec import Spec
 from strainwave.wave_generators import AnyWaveGenerator
@@ -49,6 +49,11 @@ class Design(Spec):
         """
         changes = key if isinstance(key, Mapping) else {key: value}
         return type(self).from_dict(replaced(self.to_dict(), changes))
+
+    @property
+    def title(self) -> str:
+        """The name as reports and pictures show it: on one line, with nothing in it that a terminal would obey."""
+        return shown_text(self.name) or "unnamed design"
 
     @property
     def neutral_radius_mm(self) -> float:

@@ -5,14 +5,17 @@ The rules look at single values, so that a fault elsewhere in the file does not 
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, TypeVar
 
+from strainwave.columns import Floats, Numbers
 from strainwave.design.keys import leaves
+from strainwave.elementwise import hypot
 from strainwave.errors import Fault
 from strainwave.quantities import MM, MODULES
-from strainwave.wave_generators.dual_disk import wrap_angle_of
+from strainwave.wave_generators.dual_disk import disk_radius_range, wrappable
+
+N = TypeVar("N", float, Floats)
 
 # A user's chain is cut or extended to the circle where it does not quite end there.
 CHAIN_END_TOLERANCE = 1e-3  # modules
@@ -32,9 +35,36 @@ def faults_between(tree: Mapping[str, Any], faulty_keys: set[str]) -> list[Fault
     ]
 
 
-def neutral_radius(module: float, teeth: int, dedendum: float, wall_thickness: float) -> float:
-    """Radius (mm) of the middle of the wall: m z / 2 - h_f* m - wall / 2."""
-    return module * (0.5 * teeth - dedendum) - 0.5 * wall_thickness
+def neutral_radius(module: N, teeth: int, dedendum: N, wall_thickness: N) -> N:
+    """Radius (mm) of the middle of the wall: m z / 2 - h_f* m - wall / 2; a number, or arrays over rows."""
+    return root_radius(module, teeth, dedendum) - 0.5 * wall_thickness
+
+
+def root_radius(module: N, teeth: int, dedendum: N) -> N:
+    """Radius (mm) of the flexspline's root circle."""
+    return module * (0.5 * teeth - dedendum)
+
+
+def tip_radius(module: N, teeth: int, addendum: N) -> N:
+    """Radius (mm) of the flexspline's tip circle."""
+    return module * (0.5 * teeth + addendum)
+
+
+def chain_start_distance(x: Numbers, y: Numbers, teeth: int, addendum: Numbers, *, internal: bool) -> Floats:
+    """How far (modules) a point of a tooth frame lies above the addendum circle, towards the tooth's tip."""
+    return _distance(x, y, teeth, addendum, internal)
+
+
+def chain_end_distance(x: Numbers, y: Numbers, teeth: int, dedendum: Numbers, *, internal: bool) -> Floats:
+    """How far (modules) a point of a tooth frame lies above the root circle, towards the tooth's tip."""
+    return _distance(x, y, teeth, -dedendum, internal)
+
+
+def _distance(x: Numbers, y: Numbers, teeth: int, height: Numbers, internal: bool) -> Floats:
+    # y points away from the gear's centre on the flexspline, towards it on the circular spline.
+    outward = -1.0 if internal else 1.0
+    pitch_radius = 0.5 * teeth
+    return outward * (hypot(x, pitch_radius + outward * y) - (pitch_radius + outward * height))
 
 
 def _numbers(known: Mapping[str, Any], *keys: str) -> list[Any] | None:
@@ -67,10 +97,10 @@ def _rim(known: Mapping[str, Any]) -> list[Fault]:
     if numbers is None:
         return []
     module, teeth, dedendum, wall = numbers
-    root_radius = module * (0.5 * teeth - dedendum)
-    if wall < root_radius:
+    greatest = root_radius(module, teeth, dedendum)
+    if wall < greatest:
         return []
-    problem = f"must be below the flexspline's root radius of {root_radius:.6g} mm, for the wall lies under the teeth"
+    problem = f"must be below the flexspline's root radius of {greatest:.6g} mm, for the wall lies under the teeth"
     remedy = "Reduce it, or correct module, flexspline.teeth or flexspline.profile.dedendum"
     return [Fault("flexspline.wall_thickness", wall, MM, problem, remedy)]
 
@@ -81,10 +111,10 @@ def _neutral_circle(known: Mapping[str, Any]) -> list[Fault]:
     if numbers is None:
         return []
     radius, module, teeth, addendum = numbers
-    tip_radius = module * (0.5 * teeth + addendum)
-    if radius < tip_radius:
+    greatest = tip_radius(module, teeth, addendum)
+    if radius < greatest:
         return []
-    problem = f"must be below the flexspline's tip radius of {tip_radius:.6g} mm"
+    problem = f"must be below the flexspline's tip radius of {greatest:.6g} mm"
     return [Fault(keys[0], radius, MM, problem, "Leave it out to have the neutral circle in the middle of the wall")]
 
 
@@ -103,12 +133,12 @@ def _disk_radius(known: Mapping[str, Any]) -> list[Fault]:
     if known.get("wave_generator.kind") != "dual-disk" or numbers is None or radius is None:
         return []
     disk_radius, w0 = numbers
-    try:
-        wrap_angle_of(disk_radius, radius, w0)
-    except ValueError as error:
-        remedy = "Give a radius in that range, or wrap_angle in its place"
-        return [Fault("wave_generator.disk_radius", disk_radius, MM, str(error), remedy)]
-    return []
+    if wrappable(disk_radius, radius, w0):
+        return []
+    least, greatest = disk_radius_range(radius, w0)
+    problem = f"must lie from {least:.6f} to {greatest:.6f} mm for w0 = {w0:.12g} mm, R = {radius:.12g} mm"
+    remedy = "Give a radius in that range, or wrap_angle in its place"
+    return [Fault("wave_generator.disk_radius", disk_radius, MM, problem, remedy)]
 
 
 def _cam_to_neutral(known: Mapping[str, Any]) -> list[Fault]:
@@ -129,20 +159,16 @@ def _chain_ends(known: Mapping[str, Any], spline: str, internal: bool) -> list[F
         return []
     count = 1 + max((i for i in range(len(known)) if f"{profile}.pieces[{i}].to[0]" in known), default=-1)
     ends = [
-        (f"{profile}.start", f"{profile}.addendum", "addendum", 1.0),
-        (f"{profile}.pieces[{count - 1}].to", f"{profile}.dedendum", "root", -1.0),
+        (f"{profile}.start", f"{profile}.addendum", "addendum", chain_start_distance),
+        (f"{profile}.pieces[{count - 1}].to", f"{profile}.dedendum", "root", chain_end_distance),
     ]
     faults = []
-    for key, height_key, circle, sign in ends:
+    for key, height_key, circle, distance_of in ends:
         numbers = _numbers(known, f"{spline}.teeth", height_key, f"{key}[0]", f"{key}[1]")
         if numbers is None:
             continue
         teeth, height, x, y = numbers
-        # y points away from the gear's centre on the flexspline, towards it on the circular spline.
-        outward = -1.0 if internal else 1.0
-        pitch_radius = 0.5 * teeth
-        radius = pitch_radius + outward * sign * height
-        distance = outward * (math.hypot(x, pitch_radius + outward * y) - radius)
+        distance = float(distance_of(x, y, teeth, height, internal=internal))
         if abs(distance) > CHAIN_END_TOLERANCE:
             problem = (
                 f"must lie on the {circle} circle within {CHAIN_END_TOLERANCE:g} {MODULES}, "

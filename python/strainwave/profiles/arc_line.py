@@ -4,10 +4,8 @@ from __future__ import annotations
 
 from typing import Literal
 
-import numpy as np
-from numpy.typing import NDArray
-
-from strainwave.profiles.tip_arc import TipArcProfile
+from strainwave.columns import Columns, Floats, column
+from strainwave.profiles.tip_arc import TipArcProfile, flanks_of
 
 
 class ArcLine(TipArcProfile):
@@ -15,7 +13,7 @@ class ArcLine(TipArcProfile):
 
     kind: Literal["arc-line"] = "arc-line"
 
-    def flank(self, module: float) -> NDArray[np.float64]:
-        """The arc and the line, (2, 5); see `ToothProfile.flank`."""
-        whole_depth = self.addendum + self.dedendum
-        return np.array([self._tip_arc(module), self._line(module, whole_depth)])
+    def flanks(self, module: Floats, varied: Columns) -> Floats:
+        """The arc and the line, (rows, 2, 5); see `ToothProfile.flanks`."""
+        whole_depth = column(varied, "addendum", self.addendum) + column(varied, "dedendum", self.dedendum)
+        return flanks_of(*self._tip_arc_and_line(module, varied, whole_depth))

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import math
 from typing import Annotated, Literal
 
-import numpy as np
-from numpy.typing import NDArray
 from pydantic import Field
 
-from strainwave.profiles.tip_arc import Row, TipArcProfile
+from strainwave.columns import Columns, Floats, column
+from strainwave.elementwise import cos, sin
+from strainwave.profiles.tip_arc import Segments, TipArcProfile, flanks_of
 from strainwave.quantities import LengthInModules
 
 
@@ -24,16 +23,17 @@ class DoubleCircularArc(TipArcProfile):
         LengthInModules, Field(description="Radius of the concave arc below the straight flank", examples=[2.0528])
     ]
 
-    def flank(self, module: float) -> NDArray[np.float64]:
-        """The tip arc, the line and the flank arc, (3, 5); see `ToothProfile.flank`."""
-        line = self._line(module, self.flank_length)
-        radius = self.flank_arc_radius * module
+    def flanks(self, module: Floats, varied: Columns) -> Floats:
+        """The tip arc, the line and the flank arc, (rows, 3, 5); see `ToothProfile.flanks`."""
+        length = column(varied, "flank_length", self.flank_length)
+        tip_arc, line = self._tip_arc_and_line(module, varied, length)
+        radius = column(varied, "flank_arc_radius", self.flank_arc_radius) * module
         # Tangent to the line at its end; down to where the arc runs level, far beyond any root circle it can reach.
-        flank_arc = Row(
-            line.x + line.length * math.cos(line.normal_angle),
-            line.y - line.length * math.sin(line.normal_angle),
+        flank_arc = Segments(
+            line.x + line.length * cos(line.normal_angle),
+            line.y - line.length * sin(line.normal_angle),
             line.normal_angle,
             -1.0 / radius,
             line.normal_angle * radius,
         )
-        return np.array([self._tip_arc(module), line, flank_arc])
+        return flanks_of(tip_arc, line, flank_arc)

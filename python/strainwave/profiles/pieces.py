@@ -6,10 +6,11 @@ import math
 from typing import Annotated, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 from pydantic import Field, StrictBool, ValidationInfo, field_validator
 
+from strainwave.columns import NOTHING_VARIED, Columns, Floats, Mask, Refusals, array
 from strainwave.errors import Fault, FaultError
+from strainwave.profiles.chain import Chain
 from strainwave.profiles.tooth_profile import ToothProfile
 from strainwave.quantities import DEGREES, MODULES, CoordinateInModules, SignedRadius
 from strainwave.spec import Spec
@@ -31,33 +32,6 @@ class Piece(Spec):
     corner: Annotated[
         StrictBool, Field(description="Whether the join with the previous piece may be a corner", examples=[True])
     ] = False
-
-    def normal_angles(self, start: tuple[float, float]) -> tuple[float, float]:
-        """Angles of the outward normal at both ends (rad, clockwise from y) of the piece that begins at `start`.
-
-        ValueError where no arc of less than half a turn (or no line) leads from there to `to`.
-        """
-        chord = math.dist(start, self.to)
-        if chord == 0.0:
-            raise ValueError("the piece ends where it begins")
-        along = math.atan2(start[1] - self.to[1], self.to[0] - start[0])
-        if self.radius is None:
-            return along, along
-        if chord >= 2.0 * abs(self.radius):
-            raise ValueError(
-                f"no arc of radius {abs(self.radius):.6g} and less than half a turn spans {chord:.6g} modules"
-            )
-        half_turn = math.copysign(math.asin(chord / (2.0 * abs(self.radius))), self.radius)
-        return along - half_turn, along + half_turn
-
-    def row(self, start: tuple[float, float], module: float) -> tuple[float, float, float, float, float]:
-        """The piece from `start` (modules) as a segment in mm; see `ToothProfile.flank`."""
-        first, last = self.normal_angles(start)
-        x, y = start[0] * module, start[1] * module
-        if self.radius is None:
-            return x, y, first, 0.0, math.dist(start, self.to) * module
-        radius = self.radius * module
-        return x, y, first, 1.0 / radius, (last - first) * radius
 
 
 class Pieces(ToothProfile):
@@ -91,32 +65,64 @@ class Pieces(ToothProfile):
                 raise FaultError(faults)
         return pieces
 
-    def flank(self, module: float) -> NDArray[np.float64]:
-        """One row a piece, (n, 5); see `ToothProfile.flank`."""
-        starts = [self.start, *(piece.to for piece in self.pieces)]
-        return np.array([piece.row(start, module) for start, piece in zip(starts, self.pieces, strict=False)])
+    def flanks(self, module: Floats, varied: Columns) -> Floats:
+        """One segment a piece, (rows, n, 5); see `ToothProfile.flanks`."""
+        return _chain(self.start, self.pieces, varied).flanks(module)
+
+    def refusals(self, varied: Columns) -> Refusals:
+        """Rows with a piece that cannot be, or a join that is not tangent; see `ToothProfile.refusals`."""
+        chain = _chain(self.start, self.pieces, varied)
+        yield "piece-impossible", np.any(~chain.possible, axis=1)
+        yield "join-not-tangent", np.any(_turns_too_far(chain, self.pieces), axis=1)
+
+
+def _chain(start: tuple[float, float], pieces: tuple[Piece, ...], varied: Columns = NOTHING_VARIED) -> Chain:
+    places = range(len(pieces))
+    x, y = (
+        array(
+            varied,
+            {f"start[{axis}]": 0} | {f"pieces[{place}].to[{axis}]": place + 1 for place in places},
+            [start[axis], *(piece.to[axis] for piece in pieces)],
+        )
+        for axis in (0, 1)
+    )
+    radius = array(
+        varied,
+        {f"pieces[{place}].radius": place for place in places},
+        [math.inf if piece.radius is None else piece.radius for piece in pieces],
+    )
+    return Chain(x, y, radius)
+
+
+def _turns_too_far(chain: Chain, pieces: tuple[Piece, ...]) -> Mask:
+    """Which joins, by the piece after them, turn without being declared corners, (rows, n)."""
+    is_corner = np.array([piece.corner for piece in pieces])
+    turns = np.zeros(chain.possible.shape, dtype=np.bool_)
+    turns[:, 1:] = (np.abs(np.degrees(chain.turn)) > GREATEST_TANGENT_TURN_DEG) & ~is_corner[1:]
+    return turns
 
 
 def _chain_faults(start: tuple[float, float], pieces: tuple[Piece, ...]) -> list[Fault]:
     """What is wrong with pieces that follow each other from `start`: impossible arcs, joins that are not tangent."""
+    chain = _chain(start, pieces)
+    possible, turns_too_far = chain.possible[0], _turns_too_far(chain, pieces)[0]
     faults: list[Fault] = []
-    arriving: float | None = None
     for index, piece in enumerate(pieces):
-        try:
-            leaving, end = piece.normal_angles(start)
-        except ValueError as error:
-            key = f"[{index}].to" if piece.radius is None else f"[{index}].radius"
-            remedy = "Move `to`" if piece.radius is None else "Move `to`, or choose a larger radius"
-            faults.append(Fault(key, piece.radius, MODULES, str(error), remedy))
-            arriving = None
-        else:
-            if arriving is not None and not piece.corner:
-                turn = math.degrees(math.remainder(leaving - arriving, math.tau))
-                if abs(turn) > GREATEST_TANGENT_TURN_DEG:
-                    faults.append(_turn_fault(index, turn))
-            arriving = end
-        start = piece.to
+        if not possible[index]:
+            faults.append(_piece_fault(index, piece, float(chain.chord[0, index])))
+        elif turns_too_far[index]:
+            faults.append(_turn_fault(index, math.degrees(chain.turn[0, index - 1])))
     return faults
+
+
+def _piece_fault(index: int, piece: Piece, chord: float) -> Fault:
+    if chord == 0.0 or piece.radius is None:
+        problem = "the piece ends where it begins"
+    else:
+        problem = f"no arc of radius {abs(piece.radius):.6g} and less than half a turn spans {chord:.6g} modules"
+    key = f"[{index}].to" if piece.radius is None else f"[{index}].radius"
+    remedy = "Move `to`" if piece.radius is None else "Move `to`, or choose a larger radius"
+    return Fault(key, piece.radius, MODULES, problem, remedy)
 
 
 def _turn_fault(index: int, turn_deg: float) -> Fault:

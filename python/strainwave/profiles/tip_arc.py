@@ -5,20 +5,33 @@ from __future__ import annotations
 import math
 from typing import Annotated, NamedTuple
 
+import numpy as np
 from pydantic import Field
 
+from strainwave.columns import Columns, Floats, column
+from strainwave.elementwise import cos, sin
 from strainwave.profiles.tooth_profile import ToothProfile
 from strainwave.quantities import CoordinateInModules, FlankAngle, LengthInModules
 
 
-class Row(NamedTuple):
-    """One segment as it crosses to the kernel."""
+class Segments(NamedTuple):
+    """One segment of each row of a batch as it crosses to the kernel; arrays of shape (rows,) or (1,)."""
 
-    x: float
-    y: float
-    normal_angle: float
-    curvature: float
-    length: float
+    x: Floats
+    y: Floats
+    normal_angle: Floats
+    curvature: Floats
+    length: Floats
+
+
+def flanks_of(*chain: Segments) -> Floats:
+    """Flanks of segments that follow each other, (rows, n, 5)."""
+    rows = max(len(numbers) for segments in chain for numbers in segments)
+    flanks = np.empty((rows, len(chain), 5))
+    for place, segments in enumerate(chain):
+        for number, values in enumerate(segments):
+            flanks[:, place, number] = values
+    return flanks
 
 
 class TipArcProfile(ToothProfile):
@@ -43,21 +56,19 @@ class TipArcProfile(ToothProfile):
         being how far the arc's centre lies beyond the tooth's axis (the article's table of profile parameters)."""
         return 2.0 * (self.tip_arc_radius * math.cos(math.radians(self.flank_angle)) + self.tip_arc_center[0])
 
-    def _tip_arc(self, module: float) -> Row:
-        """The arc from its crown down to the line. The kernel follows its circle from the line up to the addendum
-        circle, so where the row itself starts does not matter."""
-        x, y = self.tip_arc_center
-        radius = self.tip_arc_radius
-        sweep = self._line_normal_angle
-        return Row(x * module, (y + radius) * module, 0.0, 1.0 / (radius * module), sweep * radius * module)
+    def _tip_arc_and_line(self, module: Floats, varied: Columns, line_length: Floats) -> tuple[Segments, Segments]:
+        """The arc from its crown down to the line, and the tangent line of a length in modules that follows it.
 
-    def _line(self, module: float, length: float) -> Row:
-        """The tangent line of `length` modules that follows the tip arc."""
-        normal_angle = self._line_normal_angle
-        x = self.tip_arc_center[0] + self.tip_arc_radius * math.sin(normal_angle)
-        y = self.tip_arc_center[1] + self.tip_arc_radius * math.cos(normal_angle)
-        return Row(x * module, y * module, normal_angle, 0.0, length * module)
-
-    @property
-    def _line_normal_angle(self) -> float:
-        return math.pi / 2.0 - math.radians(self.flank_angle)
+        The kernel follows the arc's circle from the line up to the addendum circle, so where the arc itself starts does
+        not matter.
+        """
+        x = column(varied, "tip_arc_center[0]", self.tip_arc_center[0])
+        y = column(varied, "tip_arc_center[1]", self.tip_arc_center[1])
+        radius = column(varied, "tip_arc_radius", self.tip_arc_radius)
+        normal_angle = math.pi / 2.0 - np.radians(column(varied, "flank_angle", self.flank_angle))
+        crown, straight = np.zeros(1), np.zeros(1)
+        arc = Segments(
+            x * module, (y + radius) * module, crown, 1.0 / (radius * module), normal_angle * radius * module
+        )
+        end_x, end_y = x + radius * sin(normal_angle), y + radius * cos(normal_angle)
+        return arc, Segments(end_x * module, end_y * module, normal_angle, straight, line_length * module)

@@ -6,9 +6,9 @@ from abc import abstractmethod
 from typing import Annotated
 
 import numpy as np
-from numpy.typing import NDArray
 from pydantic import Field
 
+from strainwave.columns import NOTHING_VARIED, Columns, Floats, Refusals
 from strainwave.quantities import FilletRadius, LengthInModules, OffsetInMm
 from strainwave.spec import Spec
 
@@ -32,11 +32,23 @@ class ToothProfile(Spec):
         ),
     ] = 0.0
 
-    @abstractmethod
-    def flank(self, module: float) -> NDArray[np.float64]:
+    def flank(self, module: float) -> Floats:
         """The nominal flank from tip to root, in mm, for a module in mm.
 
         Returns (n, 5): x and y of a segment's start (mm), angle of its outward normal there, clockwise from y (rad),
         curvature (1/mm, > 0 convex), length (mm). Tip land, fillet and root floor are the kernel's, which also cuts or
         extends the first segment to the addendum circle and the last to the root circle or the fillet.
         """
+        flank: Floats = self.flanks(np.array([module]), NOTHING_VARIED)[0]
+        return flank
+
+    @abstractmethod
+    def flanks(self, module: Floats, varied: Columns) -> Floats:
+        """The flanks of the rows of a batch, (rows, n, 5) or, where all are the same, (1, n, 5); see `flank`.
+
+        `module` (mm) has the shape (rows,) or (1,). The columns lie within the limits of their keys.
+        """
+
+    def refusals(self, varied: Columns) -> Refusals:
+        """Which rows this table refuses, though each of their numbers lies within its limits."""
+        yield from ()

@@ -10,7 +10,7 @@ from strainwave.wave_generators.cosine import Cosine
 from strainwave.wave_generators.dual_disk import DualDisk
 from strainwave.wave_generators.ellipse import Ellipse
 from strainwave.wave_generators.four_roller import FourRoller
-from strainwave.wave_generators.shape import HarmonicShape, RingShape, Shape
+from strainwave.wave_generators.shape import HarmonicShape, HarmonicShapes, RingShape, RingShapes, Shape, Shapes
 from strainwave.wave_generators.table import Table
 from strainwave.wave_generators.two_roller import TwoRoller
 from strainwave.wave_generators.wave_generator import ShapedWaveGenerator, WaveGenerator
@@ -24,9 +24,12 @@ __all__ = [
     "Ellipse",
     "FourRoller",
     "HarmonicShape",
+    "HarmonicShapes",
     "RingShape",
+    "RingShapes",
     "Shape",
     "ShapedWaveGenerator",
+    "Shapes",
     "Table",
     "TwoRoller",
     "WaveGenerator",

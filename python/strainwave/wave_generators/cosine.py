@@ -6,7 +6,8 @@ from typing import Literal
 
 import numpy as np
 
-from strainwave.wave_generators.shape import HarmonicShape
+from strainwave.columns import Columns, Floats
+from strainwave.wave_generators.shape import HarmonicShapes
 from strainwave.wave_generators.wave_generator import ShapedWaveGenerator
 
 
@@ -15,6 +16,6 @@ class Cosine(ShapedWaveGenerator):
 
     kind: Literal["cosine"] = "cosine"
 
-    def shape(self, radius: float) -> HarmonicShape:
-        """One harmonic, whatever the radius; see `ShapedWaveGenerator.shape`."""
-        return HarmonicShape(np.array([0.0, 1.0]))
+    def shapes(self, radius: Floats, varied: Columns) -> HarmonicShapes:
+        """One harmonic, whatever the radius; see `ShapedWaveGenerator.shapes`."""
+        return HarmonicShapes(np.array([[0.0, 1.0]]))

@@ -6,11 +6,12 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 from pydantic import Field
 
+from strainwave.columns import Columns, Floats, column
 from strainwave.quantities import EquidistantInMm
 from strainwave.wave_generators.wave_generator import WaveGenerator
 
 if TYPE_CHECKING:
-    from strainwave._kernel import NeutralCurve
+    from strainwave._kernel import BatchCurves, NeutralCurve
 
 
 class Ellipse(WaveGenerator):
@@ -32,3 +33,10 @@ class Ellipse(WaveGenerator):
         from strainwave._kernel import NeutralCurve
 
         return NeutralCurve.ellipse(radius, self.w0, self.cam_to_neutral)
+
+    def curves(self, radius: Floats, varied: Columns) -> BatchCurves:
+        """The equidistant ellipses of the rows of a batch; see `WaveGenerator.curves`."""
+        from strainwave._kernel import BatchCurves
+
+        equidistant = column(varied, "cam_to_neutral", self.cam_to_neutral)
+        return BatchCurves.ellipse(radius, column(varied, "w0", self.w0), equidistant)

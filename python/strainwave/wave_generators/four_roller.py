@@ -8,8 +8,10 @@ from typing import Annotated, Literal
 import numpy as np
 from pydantic import Field
 
+from strainwave.columns import Columns, Floats, Numbers, column
+from strainwave.elementwise import cos, sin
 from strainwave.quantities import DEGREES, Angle, LengthInMm
-from strainwave.wave_generators.shape import RingShape
+from strainwave.wave_generators.shape import RingShapes, ring_rows
 from strainwave.wave_generators.wave_generator import ShapedWaveGenerator
 
 # At 39.54° the bending moment at the major axis changes sign, at 40.71° the displacement there is no longer the
@@ -21,22 +23,23 @@ RollerDiameter = Annotated[
 ]
 
 
-def four_roller_shape(roller_angle_rad: float) -> RingShape:
-    """The ring under four equal radial forces at ±β from both ends of the major axis, w/w0 = 1 at φ = 0.
+def four_roller_rows(roller_angle_rad: Numbers) -> Floats:
+    """The ring under four equal radial forces at ±β from both ends of the major axis, w/w0 = 1 at φ = 0: the rows of
+    `RingShape`, shape of β + (2, 6).
 
     φ ≤ β: k (A cos φ + φ sin φ sin β − 4/π); beyond: k (B sin φ + (π/2 − φ) cos φ cos β − 4/π), with
     A = sin β + (π/2 − β) cos β, B = cos β + β sin β, k = 1/(A − 4/π). Superposition of the ring under two opposite
     forces (Timoshenko, Strength of Materials II, thin circular rings); each force is 2 k EI w0 / R³.
     """
-    beta = roller_angle_rad
-    sine, cosine = math.sin(beta), math.cos(beta)
+    beta = np.asarray(roller_angle_rad, dtype=np.float64)
+    sine, cosine = sin(beta), cos(beta)
     a = sine + (math.pi / 2.0 - beta) * cosine
     b = cosine + beta * sine
     k = 1.0 / (a - 4.0 / math.pi)
     mean = -4.0 * k / math.pi
     inner = (beta, mean, k * a, 0.0, 0.0, k * sine)
     outer = (math.pi / 2.0, mean, k * cosine * math.pi / 2.0, -k * cosine, k * b, 0.0)
-    return RingShape(np.array([inner, outer]))
+    return ring_rows(inner, outer)
 
 
 class FourRoller(ShapedWaveGenerator):
@@ -50,6 +53,6 @@ class FourRoller(ShapedWaveGenerator):
     ]
     roller_diameter: RollerDiameter = None
 
-    def shape(self, radius: float) -> RingShape:
-        """`four_roller_shape`, whatever the radius; see `ShapedWaveGenerator.shape`."""
-        return four_roller_shape(math.radians(self.roller_angle))
+    def shapes(self, radius: Floats, varied: Columns) -> RingShapes:
+        """`four_roller_rows`, whatever the radius; see `ShapedWaveGenerator.shapes`."""
+        return RingShapes(four_roller_rows(np.radians(column(varied, "roller_angle", self.roller_angle))))

@@ -7,13 +7,13 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
+
+from strainwave.columns import Floats, Numbers
 
 if TYPE_CHECKING:
-    from strainwave._kernel import NeutralCurve
+    from strainwave._kernel import BatchCurves, NeutralCurve
     from strainwave.wave_generators.wave_generator import NeutralCurveModel
-
-Floats = NDArray[np.float64]
 
 
 class Shape(ABC):
@@ -84,3 +84,55 @@ class RingShape(Shape):
         from strainwave._kernel import NeutralCurve
 
         return NeutralCurve.ring(radius, w0, model, self.rows)
+
+
+class Shapes(ABC):
+    """The shapes of the rows of a batch, or one for all of them."""
+
+    @abstractmethod
+    def __getitem__(self, row: int) -> Shape:
+        """The shape of one row."""
+
+    @abstractmethod
+    def curves(self, radius: Floats, w0: Floats, model: NeutralCurveModel) -> BatchCurves:
+        """The kernel's neutral curves; radius and w0 in mm, (rows,) or (1,)."""
+
+
+@dataclass(frozen=True, eq=False)
+class HarmonicShapes(Shapes):
+    """Coefficients of `HarmonicShape`, (rows, n) or (1, n)."""
+
+    coefficients: Floats
+
+    def __getitem__(self, row: int) -> HarmonicShape:
+        """See `Shapes`."""
+        return HarmonicShape(self.coefficients[row])
+
+    def curves(self, radius: Floats, w0: Floats, model: NeutralCurveModel) -> BatchCurves:
+        """See `Shapes.curves`."""
+        from strainwave._kernel import BatchCurves
+
+        return BatchCurves.harmonics(radius, w0, model, self.coefficients)
+
+
+@dataclass(frozen=True, eq=False)
+class RingShapes(Shapes):
+    """Rows of `RingShape`, (rows, n, 6) or (1, n, 6)."""
+
+    rows: Floats
+
+    def __getitem__(self, row: int) -> RingShape:
+        """See `Shapes`."""
+        return RingShape(self.rows[row])
+
+    def curves(self, radius: Floats, w0: Floats, model: NeutralCurveModel) -> BatchCurves:
+        """See `Shapes.curves`."""
+        from strainwave._kernel import BatchCurves
+
+        return BatchCurves.ring(radius, w0, model, self.rows)
+
+
+def ring_rows(*stretches: tuple[Numbers, ...]) -> Floats:
+    """Rows of `RingShape` from their numbers, of any common shape: that shape + (n, 6)."""
+    numbers = np.broadcast_arrays(*(number for stretch in stretches for number in stretch))
+    return np.stack(numbers, axis=-1).reshape(*numbers[0].shape, len(stretches), 6).astype(np.float64)

@@ -7,12 +7,12 @@ from collections.abc import Callable
 from typing import Annotated, Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 from pydantic import Field, ValidationInfo, field_validator
 
+from strainwave.columns import Columns, Floats, Mask, Refusals, array
 from strainwave.errors import Fault, FaultError
 from strainwave.quantities import Quantity
-from strainwave.wave_generators.shape import HarmonicShape
+from strainwave.wave_generators.shape import HarmonicShapes
 from strainwave.wave_generators.wave_generator import ShapedWaveGenerator
 
 GREATEST_COUNT = 1025
@@ -21,14 +21,14 @@ PEAK_TOLERANCE = 1e-6  # how far w(0)/w0 may be from 1
 Ratios = tuple[Annotated[float, Quantity("", -1e3, 1e3)], ...]
 
 
-def cosine_coefficients(samples: NDArray[np.float64]) -> NDArray[np.float64]:
+def cosine_coefficients(samples: Floats) -> Floats:
     """Coefficients c[n] of the series in cos(2 n phi) through samples at evenly spaced angles from 0 to 90 degrees.
 
-    Trigonometric interpolation (DCT-I): exact for a series of no more terms than samples.
+    Both run along the last axis. Trigonometric interpolation (DCT-I): exact for a series of no more terms than samples.
     """
-    count = len(samples) - 1
-    coefficients = np.fft.rfft(np.concatenate([samples, samples[-2:0:-1]])).real / count
-    coefficients[[0, -1]] /= 2.0
+    count = samples.shape[-1] - 1
+    coefficients: Floats = np.fft.rfft(np.concatenate([samples, samples[..., -2:0:-1]], axis=-1)).real / count
+    coefficients[..., [0, -1]] /= 2.0
     return coefficients
 
 
@@ -71,7 +71,7 @@ class Table(ShapedWaveGenerator):
     def _starts_at_one(cls, samples: Ratios | None) -> Ratios | None:
         if samples is not None:
             _check_least(samples, least=3)
-            _check_peak(samples[0], "its first value is w(0)/w0")
+            _check_peak(peak_of_samples(np.array([samples])), "its first value is w(0)/w0")
         return samples
 
     @field_validator("fourier")
@@ -83,14 +83,39 @@ class Table(ShapedWaveGenerator):
             raise FaultError([Fault("", None, "", problem, "Give one of samples and fourier")])
         if fourier is not None:
             _check_least(fourier, least=2)
-            _check_peak(math.fsum(fourier), "the sum of its coefficients is w(0)/w0")
+            _check_peak(peak_of_series(np.array([fourier])), "the sum of its coefficients is w(0)/w0")
         return fourier
 
-    def shape(self, radius: float) -> HarmonicShape:
-        """The cosine series, whatever the radius; see `ShapedWaveGenerator.shape`."""
-        if self.fourier is not None:
-            return HarmonicShape(np.array(self.fourier))
-        return HarmonicShape(cosine_coefficients(np.array(self.samples)))
+    def shapes(self, radius: Floats, varied: Columns) -> HarmonicShapes:
+        """The cosine series, whatever the radius; see `ShapedWaveGenerator.shapes`."""
+        name, values = self._values(varied)
+        return HarmonicShapes(values if name == "fourier" else cosine_coefficients(values))
+
+    def refusals(self, varied: Columns) -> Refusals:
+        """Rows in which w(0)/w0 is not 1; see `WaveGenerator.refusals`."""
+        name, values = self._values(varied)
+        yield "shape-not-one", off_peak(peak_of_series(values) if name == "fourier" else peak_of_samples(values))
+
+    def _values(self, varied: Columns) -> tuple[str, Floats]:
+        """Which of the two arrays is given, and its values, (rows, n) or (1, n)."""
+        name, same = ("fourier", self.fourier) if self.fourier is not None else ("samples", self.samples)
+        assert same is not None
+        return name, array(varied, {f"{name}[{place}]": place for place in range(len(same))}, same)
+
+
+def peak_of_samples(samples: Floats) -> Floats:
+    """w(0)/w0 of samples along the last axis."""
+    return samples[..., 0]
+
+
+def peak_of_series(coefficients: Floats) -> Floats:
+    """w(0)/w0 of cosine series along the last of two axes."""
+    return np.fromiter(map(math.fsum, coefficients.tolist()), np.float64, len(coefficients))
+
+
+def off_peak(peak: Floats) -> Mask:
+    """Where w(0)/w0 is not 1."""
+    return np.asarray(np.abs(peak - 1.0) > PEAK_TOLERANCE)
 
 
 def _check_least(values: Ratios, least: int) -> None:
@@ -99,7 +124,7 @@ def _check_least(values: Ratios, least: int) -> None:
         raise FaultError([Fault("", None, "", problem)])
 
 
-def _check_peak(value: float, what: str) -> None:
-    if abs(value - 1.0) > PEAK_TOLERANCE:
+def _check_peak(peak: Floats, what: str) -> None:
+    if off_peak(peak)[0]:
         remedy = "Divide all of them by it, and multiply w0 by it"
-        raise FaultError([Fault("", value, "", f"must be 1 within {PEAK_TOLERANCE:g}: {what}", remedy)])
+        raise FaultError([Fault("", float(peak[0]), "", f"must be 1 within {PEAK_TOLERANCE:g}: {what}", remedy)])

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 from typing import Literal
 
-from strainwave.wave_generators.four_roller import RollerDiameter, four_roller_shape
-from strainwave.wave_generators.shape import RingShape
+import numpy as np
+
+from strainwave.columns import Columns, Floats
+from strainwave.wave_generators.four_roller import RollerDiameter, four_roller_rows
+from strainwave.wave_generators.shape import RingShapes
 from strainwave.wave_generators.wave_generator import ShapedWaveGenerator
 
 
@@ -15,6 +18,6 @@ class TwoRoller(ShapedWaveGenerator):
     kind: Literal["two-roller"] = "two-roller"
     roller_diameter: RollerDiameter = None
 
-    def shape(self, radius: float) -> RingShape:
-        """The ring under two forces, whatever the radius; see `ShapedWaveGenerator.shape`."""
-        return four_roller_shape(0.0)
+    def shapes(self, radius: Floats, varied: Columns) -> RingShapes:
+        """The ring under two forces, whatever the radius; see `ShapedWaveGenerator.shapes`."""
+        return RingShapes(four_roller_rows(np.zeros(1)))

@@ -5,14 +5,16 @@ from __future__ import annotations
 from abc import abstractmethod
 from typing import TYPE_CHECKING, Annotated, Literal
 
+import numpy as np
 from pydantic import Field
 
+from strainwave.columns import NOTHING_VARIED, Columns, Floats, Refusals, column
 from strainwave.quantities import LengthInMm
 from strainwave.spec import Spec
 
 if TYPE_CHECKING:
-    from strainwave._kernel import NeutralCurve
-    from strainwave.wave_generators.shape import Shape
+    from strainwave._kernel import BatchCurves, NeutralCurve
+    from strainwave.wave_generators.shape import Shape, Shapes
 
 NeutralCurveModel = Literal["inextensible", "shifted", "first-order"]
 
@@ -35,6 +37,17 @@ class WaveGenerator(Spec):
         Raises the kernel's GeometryError where there is no such simple curve.
         """
 
+    @abstractmethod
+    def curves(self, radius: Floats, varied: Columns) -> BatchCurves:
+        """The neutral curves of the rows of a batch, for neutral circles of `radius` mm, (rows,) or (1,).
+
+        The columns lie within the limits of their keys.
+        """
+
+    def refusals(self, varied: Columns) -> Refusals:
+        """Which rows this table refuses, though each of their numbers lies within its limits."""
+        yield from ()
+
 
 class ShapedWaveGenerator(WaveGenerator):
     """A generator whose neutral curve is w0 times a shape w/w0 on the neutral circle, its perimeter kept or not."""
@@ -48,10 +61,18 @@ class ShapedWaveGenerator(WaveGenerator):
         ),
     ] = "inextensible"
 
-    @abstractmethod
     def shape(self, radius: float) -> Shape:
         """w/w0 over the angle from the major axis, for a neutral circle of `radius` mm."""
+        return self.shapes(np.array([radius]), NOTHING_VARIED)[0]
+
+    @abstractmethod
+    def shapes(self, radius: Floats, varied: Columns) -> Shapes:
+        """The shapes of the rows of a batch, or one where all are the same; see `shape` and `WaveGenerator.curves`."""
 
     def curve(self, radius: float) -> NeutralCurve:
         """The deformed neutral curve; see `WaveGenerator.curve`."""
         return self.shape(radius).curve(radius, self.w0, self.neutral_curve)
+
+    def curves(self, radius: Floats, varied: Columns) -> BatchCurves:
+        """The neutral curves of the rows of a batch; see `WaveGenerator.curves`."""
+        return self.shapes(radius, varied).curves(radius, column(varied, "w0", self.w0), self.neutral_curve)
