@@ -215,9 +215,17 @@ fn check_simple(pieces: &[(Segment, Role)]) -> Result<(), GeometryError> {
                 return Err(GeometryError::SelfCrossing { first, second });
             }
         }
-        if first > 0 && (a.start().x <= 0.0 || a.end().x <= 0.0) {
+        if first > 0 && least_x(a) <= 0.0 {
             return Err(GeometryError::SelfCrossing { first, second: first });
         }
     }
     Ok(())
+}
+
+fn least_x(segment: &Segment) -> f64 {
+    let ends = segment.start().x.min(segment.end().x);
+    match segment {
+        Segment::Arc(arc) if arc.faces(Point::new(-1.0, 0.0)) => ends.min(arc.center.x - arc.radius.abs()),
+        _ => ends,
+    }
 }

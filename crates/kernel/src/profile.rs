@@ -53,6 +53,9 @@ impl Profile {
             length += Segment::length(segment);
             knots.push(length);
         }
+        if !length.is_finite() {
+            return Err(GeometryError::NotFinite { what: "the length of the profile" });
+        }
         Ok(Self { gear, segments, roles, knots })
     }
 

@@ -6,6 +6,9 @@ use std::sync::Arc;
 use crate::arc_length::Panels;
 use crate::error::GeometryError;
 
+/// Jumps of w/w0 and its slope below this share are rounding.
+const SMOOTH: f64 = 1e-9;
+
 /// One stretch of a loaded ring, up to `phi_end`: w/w0 = p + (c + c_phi φ) cos φ + (s + s_phi φ) sin φ.
 ///
 /// That is the general solution for a thin inextensible ring between point loads (its terms φ cos φ and φ sin φ) and
@@ -62,7 +65,26 @@ impl RingShape {
         if !covers {
             return Err(GeometryError::BadShape { reason: "the stretches of the ring must ascend from 0° to 90°" });
         }
+        if !self.is_smooth() {
+            return Err(GeometryError::BadShape {
+                reason: "the displacement must be continuous, with a continuous slope that is 0 at 0° and 90°",
+            });
+        }
         Ok(())
+    }
+
+    /// Whether value and slope are continuous where stretches meet, on the axes of symmetry too.
+    fn is_smooth(&self) -> bool {
+        let Self::Pieces(pieces) = self else { return true };
+        let near = |a: f64, b: f64| (a - b).abs() <= SMOOTH * (1.0 + a.abs().max(b.abs()));
+        let meets = |pair: &[RingPiece]| {
+            let [before, after] = [pair[0].at(pair[0].phi_end), pair[1].at(pair[0].phi_end)];
+            near(before[0], after[0]) && near(before[1], after[1])
+        };
+        let first_that_counts = &pieces[usize::from(pieces[0].phi_end == 0.0 && pieces.len() > 1)];
+        pieces.windows(2).filter(|pair| pair[0].phi_end > 0.0).all(meets)
+            && near(first_that_counts.at(0.0)[1], 0.0)
+            && near(pieces[pieces.len() - 1].at(FRAC_PI_2)[1], 0.0)
     }
 
     /// w/w0 and its first two derivatives at 0 ≤ φ ≤ π/2.

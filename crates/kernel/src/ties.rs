@@ -57,6 +57,10 @@ fn harmless(side: &Side, body: &Side, corner: usize, around: &Neighbourhood) -> 
     let sharpness = n1.dot(bisector);
     // A tied point of depth d lies d / sharpness from a corner with straight sides.
     let reach = (1.0 + STRAIGHT) * around.depth / sharpness + around.moved;
+    // Farther in than its sides are long, a tied point may be near other pieces.
+    if before.length().min(after.length()) < reach {
+        return false;
+    }
     let at = after.start();
     let Some(near) = NearRun::around(side, at, reach) else { return true };
     let bend = reach * before.curvature().abs().max(after.curvature().abs());

@@ -148,3 +148,14 @@ fn impossible_curves_are_named_errors() {
     assert_eq!(code(R, 0.8, RingShape::Harmonics(vec![0.0, f64::INFINITY])), "not-finite");
     assert_eq!(NeutralCurve::ellipse(R, 0.6 * R, 0.0).unwrap_err().code(), "no-such-ellipse");
 }
+
+/// Found by fuzzing: stretches that do not join have no arc length.
+#[test]
+fn a_displacement_with_a_jump_or_a_kink_is_refused() {
+    let piece = |phi_end, p, c| RingPiece { phi_end, p, c, c_phi: 0.0, s: 0.0, s_phi: 0.0 };
+    let code = |pieces| RingShape::Pieces(pieces).sampled().unwrap_err().code();
+    assert_eq!(code(vec![piece(0.5, 0.0, 1.0), piece(FRAC_PI_2, 0.3, 1.0)]), "bad-shape");
+    // cos φ has a slope at 90°.
+    assert_eq!(code(vec![piece(FRAC_PI_2, 0.0, 1.0)]), "bad-shape");
+    assert!(two_roller().sampled().is_ok());
+}

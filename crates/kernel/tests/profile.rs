@@ -122,3 +122,21 @@ fn the_straight_flank_may_be_as_long_as_the_case_study_says() {
         assert!(common::Tooth { line_length: modules * MODULE, ..flexspline() }.profile().is_ok(), "{modules}");
     }
 }
+
+/// Found by fuzzing: a bulging arc whose ends both lie right of the axis.
+#[test]
+fn a_flank_that_bulges_across_the_axis_is_refused() {
+    let gear = flexspline().gear;
+    let (top, bottom) = (Point::new(0.05, 0.72), Point::new(0.3, -1.0));
+    // A concave arc of radius 1 mm between the two reaches to x < 0.
+    let chord = bottom - top;
+    let to_center = chord.clockwise() * -1.0;
+    let half = 0.5 * chord.norm();
+    let center = (top + bottom) * 0.5 + to_center.unit().unwrap() * (1.0 - half * half).sqrt();
+    let start_normal = center - top;
+    let sweep = 2.0 * half.asin();
+    let bulge = Segment::new(top, start_normal.angle(), -1.0, sweep);
+    assert!((bulge.end() - bottom).norm() < 1e-9);
+    let error = Profile::new(gear, &[bulge], 0.0, 0.0).unwrap_err();
+    assert_eq!(error.code(), "self-crossing");
+}
