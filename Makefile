@@ -6,6 +6,8 @@ BIN := $(VENV)/bin
 RUST_SOURCES := Cargo.toml $(wildcard Cargo.lock) pyproject.toml \
 	$(shell find crates -path '*/src/*.rs' -o -name Cargo.toml -o -name build.rs)
 DOCS_CONFIG := $(wildcard mkdocs.yml)
+# How long `make soak` runs each fuzz target; SOAK_POSES says how many poses it compares with brute force.
+SOAK_SECONDS ?= 480
 
 # One interpreter for maturin and for cargo, so that neither rebuilds the binding of the other.
 export PYO3_PYTHON := $(CURDIR)/$(BIN)/python
@@ -30,7 +32,9 @@ demo: $(VENV)/kernel.stamp ## Set everything up and compute the case study (plot
 
 test: check-rust check-python $(if $(DOCS_CONFIG),docs) ## Formatters, linters, typing, Rust and Python tests
 
-soak: $(VENV)/dev.stamp $(VENV)/kernel.stamp ## The random tests at twenty times their length
+soak: $(VENV)/dev.stamp $(VENV)/kernel.stamp ## An hour of fuzzing, a million poses against brute force, long random tests
+	cargo test --release --package strainwave-kernel --test soak -- --ignored --nocapture
+	scripts/fuzz $(SOAK_SECONDS)
 	$(BIN)/pytest tests/property --soak
 
 bench: $(VENV)/dev.stamp $(VENV)/kernel.stamp ## Write every number that the README quotes

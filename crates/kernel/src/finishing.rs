@@ -3,6 +3,7 @@
 use crate::error::GeometryError;
 use crate::gear::Gear;
 use crate::intersection;
+use crate::line::Line;
 use crate::point::Point;
 use crate::profile::Role;
 use crate::segment::Segment;
@@ -27,7 +28,8 @@ pub fn finish(gear: &Gear, flank: &[Segment], offset: f64, fillet_radius: f64) -
     }
     let mut flank = offset_chain(flank, offset)?;
     let tip_angle = cut_at_tip(gear, &mut flank)?;
-    let fillet = if fillet_radius > 0.0 {
+    // A fillet too small to be told from a corner is one.
+    let fillet = if fillet_radius > (gear.addendum + gear.dedendum) * JOIN {
         Some(fit_fillet(gear, &mut flank, fillet_radius)?)
     } else {
         cut_at_root(gear, &mut flank)?;
@@ -44,6 +46,7 @@ pub fn finish(gear: &Gear, flank: &[Segment], offset: f64, fillet_radius: f64) -
     pieces.extend(fillet.map(|segment| (segment, Role::Fillet)));
     pieces.push((gear.circle(gear.signed_root_radius(), floor_start, half_pitch), Role::RootFloor));
     check_simple(&pieces)?;
+    check_sector(gear, &pieces)?;
     Ok(pieces)
 }
 
@@ -76,7 +79,8 @@ fn check_chain(flank: &[Segment], join: f64) -> Result<(), GeometryError> {
         if !(length.is_finite() && segment.start().is_finite() && segment.end().is_finite()) {
             return Err(GeometryError::NotFinite { what: "a piece of the flank" });
         }
-        if length <= 0.0 {
+        // Shorter pieces cannot be told from a point.
+        if length <= join {
             return Err(GeometryError::BadSegment { segment: index, length_mm: length });
         }
         check_sweep(index, segment)?;
@@ -215,17 +219,47 @@ fn check_simple(pieces: &[(Segment, Role)]) -> Result<(), GeometryError> {
                 return Err(GeometryError::SelfCrossing { first, second });
             }
         }
-        if first > 0 && least_x(a) <= 0.0 {
+        if first > 0 && (a.start().x <= 0.0 || a.end().x <= 0.0) {
             return Err(GeometryError::SelfCrossing { first, second: first });
         }
     }
     Ok(())
 }
 
-fn least_x(segment: &Segment) -> f64 {
-    let ends = segment.start().x.min(segment.end().x);
-    match segment {
-        Segment::Arc(arc) if arc.faces(Point::new(-1.0, 0.0)) => ends.min(arc.center.x - arc.radius.abs()),
-        _ => ends,
+/// Between land and floor no piece may leave the sector from the tooth's axis to mid-space between the two circles.
+fn check_sector(gear: &Gear, pieces: &[(Segment, Role)]) -> Result<(), GeometryError> {
+    let slack = (gear.addendum + gear.dedendum) * JOIN + gear.pitch_radius * 1e-14;
+    let (root, tip) = (gear.signed_root_radius(), gear.signed_tip_radius());
+    let ray = |angle: f64| {
+        let outward = Point::at_angle(gear.side() * angle);
+        let normal = -outward.clockwise();
+        Segment::Line(Line {
+            start: gear.center() + outward * (root - slack),
+            normal,
+            length: tip - root + 2.0 * slack,
+        })
+    };
+    let rays = [ray(0.0), ray(gear.half_pitch_angle())];
+    for (index, (segment, _)) in pieces.iter().enumerate().skip(1).take(pieces.len() - 2) {
+        let extremes = match segment {
+            Segment::Arc(arc) => [arc.center - gear.center(), gear.center() - arc.center]
+                .map(|direction| arc.faces(direction).then(|| arc.point(arc.at_direction(direction)))),
+            Segment::Line(line) => {
+                [Some(line.foot(gear.center())).filter(|&u| line.holds(u)).map(|u| line.point(u)), None]
+            }
+        };
+        for p in extremes.into_iter().flatten().chain([segment.start(), segment.end()]) {
+            let radius = (p - gear.center()).norm() * gear.side();
+            if !(radius >= root - slack && radius <= tip + slack) {
+                return Err(GeometryError::SelfCrossing {
+                    first: index,
+                    second: if radius > tip { 0 } else { pieces.len() - 1 },
+                });
+            }
+        }
+        if rays.iter().any(|ray| intersection::crossings(segment, ray).any()) {
+            return Err(GeometryError::SelfCrossing { first: index, second: index });
+        }
     }
+    Ok(())
 }

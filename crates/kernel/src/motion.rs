@@ -19,6 +19,9 @@ use crate::ties::{Neighbourhood, Side, free_of_ties};
 /// Subdivision ends here (share of the index), whatever the bounds say: rounding would go on for ever.
 const NARROWEST: f64 = 1e-11;
 
+/// So does the search after this many poses: the bound then says how far it came.
+const MOST_EVALUATIONS: usize = 200_000;
+
 /// Tolerance of a rough minimum (share of the tooth pitch).
 const ROUGH: f64 = 1e-3;
 
@@ -103,7 +106,8 @@ impl<'a> GapCurve<'a> {
         let mut proved = f64::INFINITY;
         while let Some(Interval { ends, lower_bound }) = open.pop() {
             let [start, end] = ends;
-            if lower_bound >= least.gap - tolerance || end.index - start.index <= NARROWEST * count as f64 {
+            let too_fine = end.index - start.index <= NARROWEST * count as f64 || evaluations >= MOST_EVALUATIONS;
+            if lower_bound >= least.gap - tolerance || too_fine {
                 proved = proved.min(lower_bound);
                 continue;
             }

@@ -86,6 +86,12 @@ impl NeutralCurve {
         let speed = |&t: &f64| form.speed(t);
         let arc_length =
             ArcLength::new(Arc::clone(&panels), panels.nodes.iter().map(speed), panels.ends.iter().map(speed));
+        // A very flat ellipse is finer than the panels.
+        let (perimeter_mm, wanted_mm) = (4.0 * arc_length.quadrant(), 2.0 * PI * radius);
+        let kept = (perimeter_mm - wanted_mm).abs() <= 1e-12 * wanted_mm;
+        if !kept {
+            return Err(GeometryError::PerimeterNotKept { perimeter_mm, wanted_mm });
+        }
         Self { radius, w0, form, arc_length }.checked()
     }
 
@@ -94,7 +100,7 @@ impl NeutralCurve {
         for CurvePoint { position, normal, curvature } in self.stations() {
             let outward = normal.dot(position);
             // NaN must not pass either.
-            if !(outward > 0.0 && curvature > 0.0 && outward.is_finite()) {
+            if !(outward > 0.0 && curvature > 0.0 && outward.is_finite() && position.x + position.y > 0.0) {
                 return Err(GeometryError::CurveNotSimple {
                     phi_rad: position.angle(),
                     radius_mm: position.norm().copysign(outward),
@@ -145,20 +151,18 @@ impl NeutralCurve {
     /// Arc length from the major axis to the polar angle `phi`; any real angle.
     pub fn arc_length(&self, phi: f64) -> f64 {
         let quadrant = self.arc_length.quadrant();
-        let quarters = (phi / FRAC_PI_2).floor();
         let (folded, fold) = Fold::of(phi, FRAC_PI_2);
         let within = self.arc_length.at(|t| self.form.speed(t), self.form.parameter(folded));
         // Every second quadrant runs backwards.
-        quadrant.mul_add(quarters, if fold.reversed() { quadrant - within } else { within })
+        quadrant.mul_add(fold.quarters, if fold.reversed() { quadrant - within } else { within })
     }
 
     /// The polar angle at arc length `s`, the inverse of [`NeutralCurve::arc_length`].
     pub fn angle_at(&self, s: f64) -> f64 {
         let quadrant = self.arc_length.quadrant();
-        let quarters = (s / quadrant).floor();
         let (folded, fold) = Fold::of(s, quadrant);
         let within = self.form.point(self.arc_length.inverse(|t| self.form.speed(t), folded)).position.angle();
-        FRAC_PI_2.mul_add(quarters, if fold.reversed() { FRAC_PI_2 - within } else { within })
+        FRAC_PI_2.mul_add(fold.quarters, if fold.reversed() { FRAC_PI_2 - within } else { within })
     }
 
     /// r(φ) − R and its first two derivatives by φ (mm).
@@ -213,10 +217,10 @@ fn keep_perimeter(radius: f64, shape: &SampledShape, form: impl Fn(f64) -> (f64,
     let mut c1 = -e0 / (2.0 * PI);
     for _ in 0..50 {
         let e1 = excess(c1);
-        if e1.abs() <= 4.0 * f64::EPSILON * wanted || c1 == c0 {
+        if e1.abs() <= 4.0 * f64::EPSILON * wanted {
             return Ok(c1);
         }
-        if e1 == e0 {
+        if e1 == e0 || c1 == c0 {
             break;
         }
         (c0, c1, e0) = (c1, c1 - e1 * (c1 - c0) / (e1 - e0), e1);

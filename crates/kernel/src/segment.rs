@@ -8,7 +8,7 @@ use crate::pose::Pose;
 
 /// An arc whose sagitta is below this fraction of its length is kept as its chord: its centre would lie so far away that
 /// rounding there exceeds the sagitta itself.
-const FLAT: f64 = 1e-13;
+const FLAT: f64 = 2.5e-10;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Segment {
@@ -21,7 +21,11 @@ impl Segment {
     pub fn new(start: Point, normal_angle: f64, curvature: f64, length: f64) -> Self {
         let normal = Point::at_angle(normal_angle);
         if (curvature * length / 8.0).abs() < FLAT {
-            return Self::Line(Line { start, normal, length });
+            return Self::Line(Line {
+                start,
+                normal: Point::at_angle(normal_angle + 0.5 * curvature * length),
+                length,
+            });
         }
         let radius = 1.0 / curvature;
         Self::Arc(Arc::new(start - normal * radius, radius, normal, length))
