@@ -10,7 +10,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use rayon::prelude::*;
 
 use crate::body::Body;
-use crate::engagement::{Engagement, FlankPair};
+use crate::engagement::Engagement;
 use crate::error::GeometryError;
 use crate::gear::Gear;
 use crate::motion::MotionMinimum;
@@ -18,6 +18,9 @@ use crate::neutral_curve::{NeutralCurve, NeutralCurveModel};
 use crate::profile::Profile;
 use crate::ring_shape::SampledShape;
 use crate::segment::Segment;
+
+/// Fewer rows are not worth a thread.
+const FEW_ROWS: usize = 8;
 
 /// What [`Profile::new`] needs.
 #[derive(Clone, Debug)]
@@ -92,6 +95,11 @@ pub struct Metrics {
 }
 
 impl Batch {
+    /// Whether there are so few rows that other threads would come too late.
+    pub const fn is_small(&self) -> bool {
+        self.rows <= FEW_ROWS
+    }
+
     /// Evaluates every row; `None` if `cancelled` was set before all were done.
     pub fn evaluate(&self, question: &Question, cancelled: &AtomicBool) -> Option<Vec<Result<Metrics, GeometryError>>> {
         let flexspline = shared(&self.flexsplines, |spec| spec.build().map(Body::flexspline));
@@ -105,11 +113,11 @@ impl Batch {
             )?;
             Ok(engagement.metrics(question))
         };
-        (0..self.rows)
-            .into_par_iter()
-            .with_min_len(8)
-            .map(|index| if cancelled.load(Ordering::Relaxed) { None } else { Some(row(index)) })
-            .collect()
+        let answer = |index| if cancelled.load(Ordering::Relaxed) { None } else { Some(row(index)) };
+        if self.is_small() {
+            return (0..self.rows).map(answer).collect();
+        }
+        (0..self.rows).into_par_iter().with_min_len(FEW_ROWS).map(answer).collect()
     }
 }
 
@@ -157,8 +165,13 @@ impl CurveSpec {
 impl Engagement {
     /// The answers for one design.
     pub fn metrics(&self, question: &Question) -> Metrics {
-        let teeth: Vec<(f64, f64)> =
-            self.distribution().into_iter().map(|(k, FlankPair { left, right })| (k, left.min(right))).collect();
+        let (teeth, in_motion) = match question.in_motion {
+            Some(tolerance) => {
+                let (teeth, minimum) = self.distribution_and_minimum(tolerance);
+                (teeth, Some(minimum))
+            }
+            None => (self.distribution(), None),
+        };
         let least = teeth.iter().copied().fold(teeth[0], |least, tooth| if tooth.1 < least.1 { tooth } else { least });
         let (mut teeth_below, mut interfering, mut first_interfering) = (0, 0, None);
         // The second lobe of an odd number of teeth has half indices: counts are of the first.
@@ -179,7 +192,7 @@ impl Engagement {
             first_interfering,
             play: if question.play { self.play_of_teeth(&teeth) } else { None },
             radial: question.radial.then(|| self.least_radial_clearances(&teeth)),
-            in_motion: question.in_motion.map(|tolerance| self.minimum_in_motion(tolerance)),
+            in_motion,
         }
     }
 

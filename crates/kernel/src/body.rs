@@ -3,9 +3,12 @@
 use std::ops::Range;
 
 use crate::engagement::Flank;
-use crate::outline::Outline;
+use crate::feature::Feature;
+use crate::lanes::Circles;
+use crate::outline::{BoundingCircle, Outline, TEETH};
 use crate::point::Point;
 use crate::profile::{Profile, Role};
+use crate::ties::ConvexCorner;
 
 /// A flexspline tooth, or the circular spline around a space: the profile, its outline and what belongs to each flank.
 #[derive(Clone, Debug)]
@@ -13,7 +16,10 @@ pub struct Body {
     profile: Profile,
     outline: Outline,
     pieces: [Range<usize>; 2],
-    corners: Vec<Point>,
+    convex_corners: Vec<ConvexCorner>,
+    reflex_corners: Vec<Point>,
+    /// Of the circular spline only.
+    teeth: Vec<RingTooth>,
 }
 
 impl Body {
@@ -30,8 +36,17 @@ impl Body {
     }
 
     fn new(profile: Profile, outline: Outline, pieces: [Range<usize>; 2]) -> Self {
-        let corners = outline.corner_starts().map(|i| outline.segments()[i].start()).collect();
-        Self { profile, outline, pieces, corners }
+        let (mut convex_corners, mut reflex_corners) = (vec![], vec![]);
+        for piece in outline.corner_starts() {
+            match ConvexCorner::of(&outline, piece) {
+                Some(corner) => convex_corners.push(corner),
+                None => reflex_corners.push(outline.segments()[piece].start()),
+            }
+        }
+        let pieces_of_tooth = outline.segments().len() / TEETH;
+        let tooth = |i| RingTooth::new(&outline, i * pieces_of_tooth..(i + 1) * pieces_of_tooth);
+        let teeth = if profile.gear.internal { (0..TEETH).map(tooth).collect() } else { vec![] };
+        Self { profile, outline, pieces, convex_corners, reflex_corners, teeth }
     }
 
     pub const fn profile(&self) -> &Profile {
@@ -47,8 +62,24 @@ impl Body {
         self.pieces[flank as usize].clone()
     }
 
-    pub fn corners(&self) -> &[Point] {
-        &self.corners
+    pub fn teeth(&self) -> &[RingTooth] {
+        &self.teeth
+    }
+
+    /// The pieces from the first to the last of some flanks.
+    pub fn pieces_of(&self, flanks: &[Flank]) -> Range<usize> {
+        let (first, last) = (self.pieces(flanks[0]), self.pieces(flanks[flanks.len() - 1]));
+        first.start.min(last.start)..first.end.max(last.end)
+    }
+
+    /// Where the outline turns sharply outward.
+    pub fn convex_corners(&self) -> &[ConvexCorner] {
+        &self.convex_corners
+    }
+
+    /// Where the outline turns sharply inward.
+    pub fn reflex_corners(&self) -> &[Point] {
+        &self.reflex_corners
     }
 
     /// A bound of the distance of any point that may touch something from the frame's origin.
@@ -64,4 +95,29 @@ impl Body {
         let curvatures = flank.map(|(segment, _)| segment.curvature()).filter(|&curvature| curvature > 0.0);
         curvatures.fold(f64::INFINITY, |least, curvature| least.min(1.0 / curvature))
     }
+}
+
+/// One of the teeth around a space.
+#[derive(Clone, Debug)]
+pub struct RingTooth {
+    pub features: Range<usize>,
+    /// A circle around each feature, and one around all.
+    pub circles: Circles,
+    pub circle: BoundingCircle,
+}
+
+impl RingTooth {
+    fn new(outline: &Outline, pieces: Range<usize>) -> Self {
+        let features = outline.features_of(pieces);
+        let all = &outline.features()[features.clone()];
+        Self { features, circles: Circles::new(all.iter().map(|feature| feature.bound)), circle: around(all) }
+    }
+}
+
+/// A circle that holds some features.
+fn around(features: &[Feature]) -> BoundingCircle {
+    let (first, last) = (&features[0], &features[features.len() - 1]);
+    let center = (first.ends[0] + last.ends[1]) * 0.5;
+    let radius = features.iter().map(|f| (f.bound.center - center).norm() + f.bound.radius).fold(0.0, f64::max);
+    BoundingCircle { center, radius }
 }

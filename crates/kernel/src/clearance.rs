@@ -9,12 +9,11 @@
 
 use std::ops::Range;
 
+use crate::closest::{Closest, CommonNormal, Search};
 use crate::depth::{self, Deepest};
-use crate::intersection;
 use crate::nearest::Place;
 use crate::outline::Outline;
 use crate::point::Point;
-use crate::separation::{Separation, distance, separation};
 
 /// A crossing within this share of a piece from its end is at its end.
 const AT_END: f64 = 1e-9;
@@ -73,13 +72,12 @@ pub fn clearance(
     second: &Outline,
     second_pieces: Range<usize>,
 ) -> Clearance {
-    let everything = 0..first.segments().len();
-    let mut closest = Closest { distance: f64::INFINITY, pair: (0, 0), crossing: None };
-    closest.search(first, first_pieces.clone(), second, 0..second.segments().len());
-    closest.search(first, everything, second, second_pieces.clone());
-    let touching = match closest.crossing {
-        None => {
-            let witness = apart_witness(first, second, &closest);
+    let mut search = Search::new(first, second);
+    search.pieces(first_pieces.clone(), 0..second.segments().len());
+    search.pieces(0..first.segments().len(), second_pieces.clone());
+    let touching = match search.found {
+        Closest::Apart { gap, contact } => {
+            let witness = apart_witness(first, second, gap, &contact);
             // Without a crossing each outline is wholly on one side of the other.
             let outside = second.signed_distance(first.segments()[first_pieces.start].start()).value >= 0.0
                 && first.signed_distance(second.segments()[second_pieces.start].start()).value >= 0.0;
@@ -88,7 +86,9 @@ pub fn clearance(
             }
             Clearance { gap: 0.0, ..witness }
         }
-        Some((i, j, p)) => crossing_witness(first, i, second, j, p),
+        // One inside the other may face nothing.
+        Closest::Nothing => crossing_witness(first, first_pieces.start, second, second_pieces.start, Point::default()),
+        Closest::Crossing { pieces: (i, j), point } => crossing_witness(first, i, second, j, point),
     };
     overlap(first, first_pieces, second, second_pieces, touching)
 }
@@ -110,7 +110,7 @@ fn overlap(
     }
 }
 
-/// The gap alone, of outlines that are known to cross.
+/// The gap alone of bodies that overlap; 0 where nothing is deep.
 pub fn overlap_gap(first: &Outline, first_pieces: Range<usize>, second: &Outline, second_pieces: Range<usize>) -> f64 {
     let into_second = depth::deepest(first, first_pieces, second, 0.0).map_or(0.0, |deep| deep.nearest.value);
     depth::deepest(second, second_pieces, first, into_second).map_or(into_second, |deep| deep.nearest.value)
@@ -128,52 +128,13 @@ impl Clearance {
     }
 }
 
-/// The closest pair of pieces so far, or a crossing.
-struct Closest {
-    distance: f64,
-    pair: (usize, usize),
-    crossing: Option<(usize, usize, Point)>,
-}
-
-impl Closest {
-    fn search(&mut self, first: &Outline, first_pieces: Range<usize>, second: &Outline, second_pieces: Range<usize>) {
-        for i in first_pieces {
-            for j in second_pieces.clone() {
-                if self.crossing.is_some() {
-                    return;
-                }
-                if first.bound_between(i, second, j) > self.distance {
-                    continue;
-                }
-                let (a, b) = (&first.segments()[i], &second.segments()[j]);
-                match distance(a, b) {
-                    Some(found) if found < self.distance => (self.distance, self.pair) = (found, (i, j)),
-                    Some(_) => {}
-                    None => self.crossing = intersection::crossings(a, b).iter().next().map(|p| (i, j, p)),
-                }
-            }
-        }
-    }
-}
-
-fn apart_witness(first: &Outline, second: &Outline, closest: &Closest) -> Clearance {
-    let (i, j) = closest.pair;
-    let found = separation(&first.segments()[i], &second.segments()[j]);
-    witness(first, i, second, j, &found, closest.distance)
-}
-
-fn witness(first: &Outline, i: usize, second: &Outline, j: usize, found: &Separation, gap: f64) -> Clearance {
-    let first_contact = Contact { point: found.a, segment: i, u: arc_length(first, i, found.place_a, found.a) };
-    let second_contact = Contact { point: found.b, segment: j, u: arc_length(second, j, found.place_b, found.b) };
-    let normal = if found.place_b == Place::Interior {
-        -second.segments()[j].normal(second_contact.u)
-    } else if found.place_a == Place::Interior {
-        first.segments()[i].normal(first_contact.u)
-    } else {
-        (found.b - found.a).unit().unwrap_or_else(|| first.segments()[i].normal(first_contact.u))
-    };
-    let kind = ContactKind::of(first.is_corner(i, found.place_a), second.is_corner(j, found.place_b));
-    Clearance { gap, first: first_contact, second: second_contact, normal, kind }
+fn apart_witness(first: &Outline, second: &Outline, gap: f64, contact: &CommonNormal) -> Clearance {
+    let (i, j) = contact.segments;
+    let [place_a, place_b] = contact.places;
+    let first_contact = Contact { point: contact.a, segment: i, u: arc_length(first, i, place_a, contact.a) };
+    let second_contact = Contact { point: contact.b, segment: j, u: arc_length(second, j, place_b, contact.b) };
+    let kind = ContactKind::of(first.is_corner(i, place_a), second.is_corner(j, place_b));
+    Clearance { gap, first: first_contact, second: second_contact, normal: contact.normal, kind }
 }
 
 fn arc_length(outline: &Outline, segment: usize, place: Place, p: Point) -> f64 {
@@ -195,8 +156,20 @@ fn crossing_witness(first: &Outline, i: usize, second: &Outline, j: usize, p: Po
             _ => Place::Interior,
         }
     };
+    let contact = |outline: &Outline, segment: usize, place| Contact {
+        point: p,
+        segment,
+        u: arc_length(outline, segment, place, p),
+    };
     let (place_a, place_b) = (place(first, i), place(second, j));
-    witness(first, i, second, j, &Separation { a: p, b: p, place_a, place_b }, 0.0)
+    let (on_a, on_b) = (contact(first, i, place_a), contact(second, j, place_b));
+    let normal = if place_b == Place::Interior || place_a != Place::Interior {
+        -second.segments()[j].normal(on_b.u)
+    } else {
+        first.segments()[i].normal(on_a.u)
+    };
+    let kind = ContactKind::of(first.is_corner(i, place_a), second.is_corner(j, place_b));
+    Clearance { gap: 0.0, first: on_a, second: on_b, normal, kind }
 }
 
 fn deep_witness(first: &Outline, second: &Outline, deep: &Deepest) -> Clearance {

@@ -4,17 +4,20 @@ use std::f64::consts::PI;
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
-use crate::body::Body;
+use crate::body::{Body, RingTooth};
 use crate::clearance::{Clearance, clearance, overlap_gap};
 use crate::error::GeometryError;
+use crate::gap_curve::{BOTH_FLANKS, GapCurve};
 use crate::kinematics::{MotionBounds, ToothMotion};
 use crate::neutral_curve::NeutralCurve;
 use crate::outline::Outline;
 use crate::point::Point;
 use crate::pose::Pose;
 use crate::profile::{Profile, Role};
-use crate::pursuit::Pursuit;
 use crate::segment::Segment;
+
+/// A tooth in the middle between two spaces, up to this share, counts to the first of them.
+const MIDDLE: f64 = 1e-9;
 
 /// Something for each flank of a flexspline tooth; right is the half x > 0 of the tooth, its clockwise side.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -64,6 +67,7 @@ impl Engagement {
         let motion = ToothMotion {
             pitch: curve.perimeter() / f64::from(z_f),
             space_angle: 2.0 * PI / f64::from(z_c),
+            half_space: (1.0 + MIDDLE) * (PI / f64::from(z_c)).tan(),
             height: tooth.profile().gear.pitch_radius - curve.radius(),
             reach: tooth.reach(),
             least_convex_radius: tooth.least_convex_radius().min(space.least_convex_radius()),
@@ -132,7 +136,7 @@ impl Engagement {
     pub fn relative_pose(&self, k: f64) -> Pose {
         let gamma = self.motion.space_angle;
         let tooth = Pose::rotation(-k * gamma).after(&self.tooth_pose(k));
-        if tooth.origin.x.abs() <= tooth.origin.y * (0.49 * gamma) {
+        if tooth.origin.x.abs() <= tooth.origin.y * self.motion.half_space {
             return tooth.shifted(self.center());
         }
         let passed = (tooth.origin.angle() / gamma).round();
@@ -162,20 +166,17 @@ impl Engagement {
         floor.norm() < gear.signed_tip_radius().abs() && tip < gear.signed_root_radius().abs()
     }
 
-    /// The gaps of both flanks of every tooth that is not the mirror image of another, by index: 0, 1, … up to a quarter
-    /// of the flexspline's teeth, and the halves between for an odd number, whose second lobe they are.
-    pub fn distribution(&self) -> Vec<(f64, FlankPair<f64>)> {
-        let mut left = Pursuit::new(self, Flank::Left);
-        let mut right = Pursuit::new(self, Flank::Right);
+    /// The indices of the teeth that are not mirror images of others: 0, 1, … up to a quarter of the flexspline's teeth,
+    /// and the halves between for an odd number, whose second lobe they are.
+    pub fn indices(&self) -> Vec<f64> {
         let teeth = self.flexspline().gear.teeth;
         let steps = if teeth % 2 == 0 { 1 } else { 2 };
-        (0..=steps * teeth / 4)
-            .map(|i| {
-                let k = f64::from(i) / f64::from(steps);
-                let pose = self.relative_pose(k);
-                (k, FlankPair { left: left.gap(&pose), right: right.gap(&pose) })
-            })
-            .collect()
+        (0..=steps * teeth / 4).map(|i| f64::from(i) / f64::from(steps)).collect()
+    }
+
+    /// The backlash of these teeth, by index.
+    pub fn distribution(&self) -> Vec<(f64, f64)> {
+        GapCurve::new(self, &BOTH_FLANKS, 0.0).samples(&self.indices()).iter().map(|s| (s.index, s.gap)).collect()
     }
 
     /// Signed clearance of one flank of a tooth whose outline is given in the frame of its space.
@@ -183,7 +184,7 @@ impl Engagement {
         clearance(tooth, self.tooth_pieces(flank), self.space(), self.space_pieces(flank))
     }
 
-    /// The gap of a flank whose outline crosses the circular spline's.
+    /// The gap of a flank that overlaps the circular spline; 0 where nothing is deep.
     pub(crate) fn overlap_gap(&self, tooth: &Outline, flank: Flank) -> f64 {
         overlap_gap(tooth, self.tooth_pieces(flank), self.space(), self.space_pieces(flank))
     }
@@ -192,20 +193,17 @@ impl Engagement {
         self.tooth.pieces(flank)
     }
 
+    /// The teeth around the space.
+    pub(crate) fn teeth_of_space(&self) -> &[RingTooth] {
+        self.space.teeth()
+    }
+
     pub(crate) fn space_pieces(&self, flank: Flank) -> Range<usize> {
         self.space.pieces(flank)
     }
 
-    /// Least distance of a corner of a tooth at `pose` from a corner of the circular spline.
-    pub(crate) fn between_corners(&self, pose: &Pose) -> f64 {
-        let mut least = f64::INFINITY;
-        for corner in self.tooth.corners() {
-            let p = pose.point(*corner);
-            for q in self.space.corners() {
-                least = least.min((p - *q).norm_squared());
-            }
-        }
-        least.sqrt()
+    pub(crate) fn bodies(&self) -> (&Body, &Body) {
+        (&self.tooth, &self.space)
     }
 
     /// Centre of the circular spline in the frame of a space.

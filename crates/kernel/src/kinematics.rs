@@ -2,6 +2,7 @@
 
 use crate::neutral_curve::NeutralCurve;
 use crate::point::Point;
+use crate::quadrant::CurvePoint;
 
 /// Bounds are sampled along the curve; between samples smooth quantities change by far less than this share.
 const INFLATION: f64 = 1.02;
@@ -13,6 +14,8 @@ pub struct ToothMotion {
     pub pitch: f64,
     /// Angle of the circular spline per tooth (rad).
     pub space_angle: f64,
+    /// Tangent of half that angle: where a tooth passes from one space to the next.
+    pub half_space: f64,
     /// Height of the tooth frame's origin, the flexspline's pitch circle, above the neutral curve (mm).
     pub height: f64,
     /// Farthest point, from that origin, that may touch something (mm).
@@ -41,34 +44,26 @@ impl ToothMotion {
     /// the origin moves by o′ − γ J o and every other point by at most |hκ − γ| · reach more. Twice differentiated,
     /// o″ − 2γ J o′ − γ² o. A point sliding over an arc of radius ρ adds speed²/ρ.
     pub fn bounds(&self, curve: &NeutralCurve) -> MotionBounds {
+        let h = self.pitch;
         let stations: Vec<_> = curve.stations().collect();
+        let frames: Vec<_> = stations.iter().map(|station| self.frame(station, curve.radius())).collect();
         let mut slope: f64 = 0.0;
         let mut fastest_turning: f64 = 0.0;
         let mut acceleration: f64 = 0.0;
-        for pair in stations.windows(2) {
-            let step = (pair[1].position - pair[0].position).norm();
-            let curvature_rate = (pair[1].curvature - pair[0].curvature) / step;
-            for station in pair {
-                let (normal, tangent, curvature) = (station.normal, station.normal.clockwise(), station.curvature);
-                let h = self.pitch;
-                let turning = h * curvature - self.space_angle;
-                let turning_rate = h * h * curvature_rate;
-                let motion_at = |height: f64| {
-                    let origin = station.position + normal * height;
-                    let stretch = 1.0 + height * curvature;
-                    let velocity = tangent * (h * stretch);
-                    let bend = (normal * (-curvature * stretch) + tangent * (height * curvature_rate)) * (h * h);
-                    self.in_turning_frame(origin, velocity, bend)
-                };
-                let (velocity, at_origin) = motion_at(self.height);
-                let speed = velocity.norm() + turning.abs() * self.reach;
+        for frame in &frames {
+            slope = slope.max(frame.speed + frame.turning.abs() * self.reach);
+            fastest_turning = fastest_turning.max(frame.turning.abs());
+        }
+        for (stations, frames) in stations.windows(2).zip(frames.windows(2)) {
+            let step = (stations[1].position - stations[0].position).norm();
+            let turning_rate = h * h * (stations[1].curvature - stations[0].curvature) / step;
+            for Frame { tangent, turning, speed, bend_at_origin, bend_at_center } in frames {
+                let at_origin = *bend_at_origin + *tangent * (self.height * turning_rate);
                 let near = at_origin.norm()
                     + (turning * turning + turning_rate.abs()) * self.reach
-                    + 2.0 * turning.abs() * velocity.norm();
+                    + 2.0 * turning.abs() * speed;
                 // The tip land's centre is the gear's centre, far from the tooth.
-                let (_, at_center) = motion_at(-curve.radius());
-                slope = slope.max(speed);
-                fastest_turning = fastest_turning.max(turning.abs());
+                let at_center = *bend_at_center - *tangent * (curve.radius() * turning_rate);
                 acceleration = acceleration.max(near).max(at_center.norm());
             }
         }
@@ -80,11 +75,32 @@ impl ToothMotion {
         }
     }
 
-    fn in_turning_frame(&self, position: Point, velocity: Point, acceleration: Point) -> (Point, Point) {
-        let turn = self.space_angle;
-        (
-            velocity - position.clockwise() * turn,
-            acceleration - velocity.clockwise() * (2.0 * turn) - position * (turn * turn),
-        )
+    /// What the bounds need of one point of the curve; `radius` is that of the undeformed curve.
+    fn frame(&self, station: &CurvePoint, radius: f64) -> Frame {
+        let (normal, tangent, curvature) = (station.normal, station.normal.clockwise(), station.curvature);
+        let (h, turn) = (self.pitch, self.space_angle);
+        let motion_at = |height: f64| {
+            let position = station.position + normal * height;
+            let stretch = 1.0 + height * curvature;
+            let velocity = tangent * (h * stretch);
+            let bend = normal * (-curvature * stretch * h * h);
+            let in_turning_frame = velocity - position.clockwise() * turn;
+            (in_turning_frame, bend - velocity.clockwise() * (2.0 * turn) - position * (turn * turn))
+        };
+        let (velocity, bend_at_origin) = motion_at(self.height);
+        let (_, bend_at_center) = motion_at(-radius);
+        Frame { tangent, turning: h * curvature - turn, speed: velocity.norm(), bend_at_origin, bend_at_center }
     }
+}
+
+/// The motion of a tooth at one point of the curve.
+struct Frame {
+    tangent: Point,
+    /// Of the tooth against its space (rad per index).
+    turning: f64,
+    /// Of the tooth's origin (mm per index).
+    speed: f64,
+    /// Accelerations (mm per index²) of the origin and of the gear's centre, but for the rate of turning.
+    bend_at_origin: Point,
+    bend_at_center: Point,
 }

@@ -12,9 +12,7 @@
 
 use crate::circumferential::{MOST_STEPS_IN_MOTION, turn_to_contact};
 use crate::engagement::{Engagement, Flank};
-use crate::pose::Pose;
-use crate::pursuit::Pursuit;
-use crate::ties::{Neighbourhood, Side, free_of_ties};
+use crate::gap_curve::{BOTH_FLANKS, GapCurve, Sample};
 
 /// Subdivision ends here (share of the index), whatever the bounds say: rounding would go on for ever.
 const NARROWEST: f64 = 1e-11;
@@ -41,7 +39,21 @@ pub struct MotionMinimum {
 impl Engagement {
     /// The least gap of both flanks over all indices, certified to `tolerance` (mm).
     pub fn minimum_in_motion(&self, tolerance: f64) -> MotionMinimum {
-        GapCurve::new(self, &[Flank::Right, Flank::Left], 0.0).minimum(0.0, self.quarter(), tolerance)
+        self.distribution_and_minimum(tolerance).1
+    }
+
+    /// The same with [`Engagement::distribution`], from which the search starts.
+    pub fn distribution_and_minimum(&self, tolerance: f64) -> (Vec<(f64, f64)>, MotionMinimum) {
+        let mut curve = GapCurve::new(self, &BOTH_FLANKS, 0.0);
+        let mut indices = self.indices();
+        let teeth = indices.len();
+        // A number of teeth that is no multiple of 4 has its minor axis between teeth.
+        if indices[teeth - 1] < self.quarter() {
+            indices.push(self.quarter());
+        }
+        let samples = curve.samples(&indices);
+        let distribution = samples[..teeth].iter().map(|sample| (sample.index, sample.gap)).collect();
+        (distribution, curve.minimum(samples, tolerance))
     }
 
     /// The least circumferential backlash (mm) of one flank over all indices, within `tolerance`; `None` where half a
@@ -50,12 +62,15 @@ impl Engagement {
         let quarter = self.quarter();
         let approach = |turn| {
             let mut curve = GapCurve::new(self, &[Flank::Right], turn);
+            let count = (2.0 * quarter).ceil() as usize;
+            let indices: Vec<f64> = (0..=count).map(|i| quarter * (2.0 * i as f64 / count as f64 - 1.0)).collect();
+            let samples = curve.samples(&indices);
             // Far from contact a rough minimum is enough for the next step.
             let mut within = ROUGH * self.motion().pitch;
-            let mut least = curve.minimum(-quarter, quarter, within);
+            let mut least = curve.minimum(samples.clone(), within);
             while within > 0.25 * tolerance && least.gap.abs() < 10.0 * within {
                 within = (0.01 * within).max(0.25 * tolerance);
-                least = curve.minimum(-quarter, quarter, within);
+                least = curve.minimum(samples.clone(), within);
             }
             let tooth = self.tooth().posed(&curve.pose(least.index));
             self.approach(&self.flank(&tooth, Flank::Right), Flank::Right)
@@ -65,108 +80,59 @@ impl Engagement {
     }
 }
 
-/// gap(k) of the given flanks, with the circular spline turned towards the first.
-struct GapCurve<'a> {
-    engagement: &'a Engagement,
-    flanks: &'a [Flank],
-    turn: f64,
-    pursuits: Vec<Pursuit<'a>>,
-}
-
-/// The curve at one index.
-#[derive(Clone, Copy)]
-struct Sample {
-    index: f64,
-    gap: f64,
-    /// Least distance of a corner of the tooth from a corner of the circular spline.
-    between_corners: f64,
-}
-
+/// Between two samples, given by their numbers.
 struct Interval {
-    ends: [Sample; 2],
+    ends: [usize; 2],
     lower_bound: f64,
 }
 
-impl<'a> GapCurve<'a> {
-    fn new(engagement: &'a Engagement, flanks: &'a [Flank], turn: f64) -> Self {
-        let pursuits = flanks.iter().map(|&flank| Pursuit::new(engagement, flank)).collect();
-        Self { engagement, flanks, turn, pursuits }
-    }
-
-    fn minimum(&mut self, from: f64, to: f64, tolerance: f64) -> MotionMinimum {
-        let count = (to - from).ceil().max(1.0) as usize;
-        let at = |i: usize| from + (to - from) * i as f64 / count as f64;
-        let samples: Vec<Sample> = (0..=count).map(|i| self.sample(at(i))).collect();
+impl GapCurve<'_> {
+    /// The least gap between the first and the last of some samples, which ascend.
+    fn minimum(&mut self, mut samples: Vec<Sample>, tolerance: f64) -> MotionMinimum {
+        let narrowest = NARROWEST * (samples[samples.len() - 1].index - samples[0].index);
         let mut least = samples.iter().copied().fold(samples[0], lesser);
-        let mut evaluations = samples.len();
-        let mut open: Vec<Interval> =
-            samples.windows(2).map(|pair| self.interval([pair[0], pair[1]], least.gap - tolerance)).collect();
-        // The most promising one last, to be taken first; its halves follow it, so poses stay near each other.
-        open.sort_by(|a, b| b.lower_bound.total_cmp(&a.lower_bound));
         let mut proved = f64::INFINITY;
-        while let Some(Interval { ends, lower_bound }) = open.pop() {
-            let [start, end] = ends;
-            let too_fine = end.index - start.index <= NARROWEST * count as f64 || evaluations >= MOST_EVALUATIONS;
-            if lower_bound >= least.gap - tolerance || too_fine {
-                proved = proved.min(lower_bound);
-                continue;
-            }
-            let middle = self.sample(0.5 * (start.index + end.index));
-            evaluations += 1;
-            least = lesser(least, middle);
-            let target = least.gap - tolerance;
-            open.extend([self.interval([start, middle], target), self.interval([middle, end], target)]);
+        let mut open: Vec<Interval> = Vec::new();
+        for end in 1..samples.len() {
+            open.push(self.interval(&mut samples, [end - 1, end], least.gap - tolerance));
         }
+        while !open.is_empty() {
+            let (mut split, mut middles) = (Vec::new(), Vec::new());
+            for Interval { ends, lower_bound } in open.drain(..) {
+                let [start, end] = ends.map(|end| samples[end].index);
+                let too_fine = end - start <= narrowest || samples.len() + middles.len() >= MOST_EVALUATIONS;
+                if lower_bound >= least.gap - tolerance || too_fine {
+                    proved = proved.min(lower_bound);
+                } else {
+                    split.push(ends);
+                    middles.push(0.5 * (start + end));
+                }
+            }
+            // All middles at once, in order: poses stay near each other.
+            let first = samples.len();
+            samples.extend(self.samples(&middles));
+            least = samples[first..].iter().copied().fold(least, lesser);
+            let target = least.gap - tolerance;
+            for (middle, [start, end]) in (first..).zip(split) {
+                open.push(self.interval(&mut samples, [start, middle], target));
+                open.push(self.interval(&mut samples, [middle, end], target));
+            }
+        }
+        let evaluations = samples.len();
         MotionMinimum { gap: least.gap, index: least.index, lower_bound: proved.min(least.gap), evaluations }
     }
 
-    fn sample(&mut self, index: f64) -> Sample {
-        let pose = self.pose(index);
-        let gap = self.pursuits.iter_mut().fold(f64::INFINITY, |gap, pursuit| pursuit.gap_below(&pose, gap));
-        Sample { index, gap, between_corners: self.engagement.between_corners(&pose) }
-    }
-
-    /// Pose of the tooth in the frame of its space.
-    fn pose(&self, index: f64) -> Pose {
-        let pose = self.engagement.relative_pose(index);
-        if self.turn == 0.0 { pose } else { self.engagement.turned(&pose, self.flanks[0], self.turn) }
-    }
-
     /// The interval with the best lower bound that is at hand; `target` is what it has to reach.
-    fn interval(&self, ends: [Sample; 2], target: f64) -> Interval {
-        let width = ends[1].index - ends[0].index;
-        let bounds = self.engagement.bounds();
-        let by_slope = 0.5 * (ends[0].gap + ends[1].gap - bounds.slope * width);
-        let by_curvature = above_parabola(ends[0].gap, ends[1].gap, bounds.curvature * width * width);
-        let smooth = || ends.iter().all(|sample| self.smooth_around(sample, 0.5 * width));
-        // The proof of smoothness costs; it is sought only where it brings something.
-        let gains = by_curvature > by_slope && by_slope < target;
-        let lower_bound = if gains && smooth() { by_curvature } else { by_slope };
-        Interval { ends, lower_bound }
-    }
-
-    /// Whether every witness is smooth for all indices that differ by no more than `half_width` from the sample's.
-    fn smooth_around(&self, sample: &Sample, half_width: f64) -> bool {
-        let bounds = self.engagement.bounds();
-        let moved = bounds.slope * half_width;
-        if sample.between_corners <= sample.gap + 2.0 * moved {
-            return false;
-        }
-        if sample.gap > moved {
-            return true;
-        }
-        let engagement = self.engagement;
-        // The bound M holds to this depth.
-        if moved - sample.gap > 0.1 * engagement.motion().least_convex_radius {
-            return false;
-        }
-        let tooth = engagement.tooth().posed(&self.pose(sample.index));
-        let around = Neighbourhood { moved, turned: bounds.turning * half_width, depth: moved - sample.gap };
-        self.flanks.iter().all(|&flank| {
-            let tooth = Side { outline: &tooth, counted: engagement.tooth_pieces(flank) };
-            let space = Side { outline: engagement.space(), counted: engagement.space_pieces(flank) };
-            free_of_ties(&tooth, &space, &around)
-        })
+    fn interval(&self, samples: &mut [Sample], ends: [usize; 2], target: f64) -> Interval {
+        let [start, end] = ends.map(|end| samples[end]);
+        let width = end.index - start.index;
+        let bounds = self.engagement().bounds();
+        let by_slope = 0.5 * (start.gap + end.gap - bounds.slope * width);
+        let by_curvature = above_parabola(start.gap, end.gap, bounds.curvature * width * width);
+        // The proof of smoothness costs; it is sought only where it settles the interval.
+        let settles = by_slope < target && by_curvature >= target;
+        let is_smooth = settles && ends.iter().all(|&end| self.smooth_around(&mut samples[end], 0.5 * width));
+        Interval { ends, lower_bound: if is_smooth { by_curvature } else { by_slope } }
     }
 }
 

@@ -3,11 +3,11 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;
 
-use crate::arc_length::{self, ArcLength, Panels};
+use crate::arc_length::{self, ArcLength, Panels, Station};
 use crate::ellipse;
 use crate::error::GeometryError;
 use crate::fold::Fold;
-use crate::quadrant::{CurvePoint, Quadrant, polar, polar_point, polar_speed};
+use crate::quadrant::{CurvePoint, Quadrant, polar, polar_point, polar_speed, polar_speed_and_slope};
 use crate::ring_shape::SampledShape;
 
 /// How a displacement w makes a curve of a circle of radius R.
@@ -58,7 +58,7 @@ impl NeutralCurve {
             }
         };
         let at_nodes = shape.at_nodes.iter().map(|&f| polar_speed(base, amplitude, f));
-        let at_ends = shape.at_ends.iter().map(|&f| polar_speed(base, amplitude, f));
+        let at_ends = shape.at_ends.iter().map(|&f| polar_speed_and_slope(polar(base, amplitude, f)));
         let arc_length = ArcLength::new(Arc::clone(&shape.panels), at_nodes, at_ends);
         Self { radius, w0, form: Quadrant::Polar { base, amplitude, shape: Arc::clone(shape) }, arc_length }.checked()
     }
@@ -83,9 +83,11 @@ impl NeutralCurve {
         let minor = ellipse::minor_semi_axis(major, 2.0 * PI * (radius - offset))?;
         let form = Quadrant::Ellipse { major, minor, offset };
         let panels = Arc::new(Panels::new(&[], ELLIPSE_FINENESS));
-        let speed = |&t: &f64| form.speed(t);
-        let arc_length =
-            ArcLength::new(Arc::clone(&panels), panels.nodes.iter().map(speed), panels.ends.iter().map(speed));
+        let arc_length = ArcLength::new(
+            Arc::clone(&panels),
+            panels.nodes.iter().map(|&t| form.speed(t)),
+            panels.ends.iter().map(|&t| form.speed_and_slope(t)),
+        );
         // A very flat ellipse is finer than the panels.
         let (perimeter_mm, wanted_mm) = (4.0 * arc_length.quadrant(), 2.0 * PI * radius);
         let kept = (perimeter_mm - wanted_mm).abs() <= 1e-12 * wanted_mm;
@@ -127,10 +129,13 @@ impl NeutralCurve {
     /// Points over the first quadrant, close enough that nothing happens between them; the first on the major axis, the
     /// last on the minor axis.
     pub fn stations(&self) -> impl Iterator<Item = CurvePoint> + '_ {
-        let ends = &self.arc_length.panels().ends;
-        ends.iter().enumerate().map(move |(i, &t)| match &self.form {
-            Quadrant::Polar { base, amplitude, shape } => polar_point(t, polar(*base, *amplitude, shape.at_ends[i])),
-            Quadrant::Ellipse { .. } => self.form.point(t),
+        let panels = self.arc_length.panels();
+        let stations = panels.ends.iter().zip(&panels.directions).map(|(&t, &direction)| Station { t, direction });
+        stations.enumerate().map(move |(i, station)| match &self.form {
+            Quadrant::Polar { base, amplitude, shape } => {
+                polar_point(station.direction, polar(*base, *amplitude, shape.at_ends[i]))
+            }
+            Quadrant::Ellipse { .. } => self.form.point(station),
         })
     }
 
@@ -138,14 +143,14 @@ impl NeutralCurve {
     pub fn at_arc_length(&self, s: f64) -> CurvePoint {
         let quadrant = self.arc_length.quadrant();
         let (s, fold) = Fold::of(s, quadrant);
-        let t = self.arc_length.inverse(|t| self.form.speed(t), s);
-        fold.unfold(self.form.point(t))
+        let station = self.arc_length.inverse(|t| self.form.speed(t), s);
+        fold.unfold(self.form.point(station))
     }
 
     /// The point at the polar angle `phi`; any real angle.
     pub fn at_angle(&self, phi: f64) -> CurvePoint {
         let (phi, fold) = Fold::of(phi, FRAC_PI_2);
-        fold.unfold(self.form.point(self.form.parameter(phi)))
+        fold.unfold(self.form.point(Station::at(self.form.parameter(phi))))
     }
 
     /// Arc length from the major axis to the polar angle `phi`; any real angle.

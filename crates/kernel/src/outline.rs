@@ -3,6 +3,7 @@
 use std::ops::Range;
 use std::sync::Arc;
 
+use crate::feature::{Feature, features};
 use crate::finishing::SMOOTH;
 use crate::nearest::Place;
 use crate::point::Point;
@@ -13,6 +14,9 @@ use crate::segment::Segment;
 /// How many pitches from the tooth's axis the flexspline's root floor counts as part of its outline, and how many
 /// pitches it is continued so that the rim's own end is never the nearest point.
 const FLOOR_PITCHES: [f64; 2] = [1.0, 3.0];
+
+/// How many teeth of the circular spline stand around a space.
+pub const TEETH: usize = 4;
 
 /// The half of a tooth in its own frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,8 +52,8 @@ pub struct SignedDistance {
 /// A circle around a piece.
 #[derive(Clone, Copy, Debug)]
 pub struct BoundingCircle {
-    center: Point,
-    radius: f64,
+    pub center: Point,
+    pub radius: f64,
 }
 
 impl BoundingCircle {
@@ -73,18 +77,30 @@ pub struct Outline {
     origins: Arc<[Origin]>,
     /// Whether the chain is smooth at the start of each piece; the open ends count as smooth.
     smooth_starts: Arc<[bool]>,
+    features: Vec<Feature>,
+    /// Index of the first feature of each piece, and how many there are.
+    feature_starts: Arc<[usize]>,
 }
 
 impl Outline {
-    fn new(pieces: Vec<(Segment, Origin)>) -> Self {
+    /// `limits` are the pieces at whose start a stretch of the outline may begin or end.
+    fn new(pieces: Vec<(Segment, Origin)>, limits: &[usize]) -> Self {
         let (segments, origins): (Vec<Segment>, Vec<Origin>) = pieces.into_iter().unzip();
         let mut smooth_starts = vec![true];
         smooth_starts.extend(segments.windows(2).map(|pair| {
             let (before, after) = (pair[0].end_normal(), pair[1].start_normal());
             before.cross(after).abs() <= SMOOTH && before.dot(after) > 0.0
         }));
-        let bounds = segments.iter().map(bounding_circle).collect();
-        Self { segments, bounds, origins: origins.into(), smooth_starts: smooth_starts.into() }
+        let bounds: Vec<BoundingCircle> = segments.iter().map(bounding_circle).collect();
+        let (features, feature_starts) = features(&segments, &bounds, limits);
+        Self {
+            segments,
+            bounds,
+            origins: origins.into(),
+            smooth_starts: smooth_starts.into(),
+            features,
+            feature_starts: feature_starts.into(),
+        }
     }
 
     /// One tooth of the flexspline with its rim, in the tooth frame.
@@ -107,7 +123,7 @@ impl Outline {
         let mut pieces = mirrored(&half);
         pieces.extend(half);
         // The outermost floors only close the body.
-        (Self::new(pieces), [1..count, count..2 * count - 1])
+        (Self::new(pieces, &[1, count, 2 * count - 1]), [1..count, count..2 * count - 1])
     }
 
     /// The circular spline around one of its spaces, in the frame of that space: origin on the pitch circle, y outward.
@@ -120,14 +136,15 @@ impl Outline {
         let pitch_point = Point::new(0.0, gear.pitch_radius);
         let mut pieces = Vec::new();
         // A circular-spline tooth points inward, so its chain runs counter-clockwise about the gear.
-        for (tooth, position) in [(2, 1.5), (1, 0.5), (-1, -0.5), (-2, -1.5)] {
+        let teeth: [(i32, f64); TEETH] = [(2, 1.5), (1, 0.5), (-1, -0.5), (-2, -1.5)];
+        for (tooth, position) in teeth {
             let axis = Point::at_angle(position * pitch);
             let pose = Pose::with_y_axis(axis * gear.pitch_radius - pitch_point, -axis);
             let half = half_tooth(profile, tooth);
             pieces.extend(mirrored(&half).into_iter().chain(half).map(|(s, origin)| (s.posed(&pose), origin)));
         }
         let tooth = 2 * profile.segments().len();
-        (Self::new(pieces), [2 * tooth..3 * tooth, tooth..2 * tooth])
+        (Self::new(pieces, &[tooth, 2 * tooth, 3 * tooth]), [2 * tooth..3 * tooth, tooth..2 * tooth])
     }
 
     pub fn segments(&self) -> &[Segment] {
@@ -153,7 +170,20 @@ impl Outline {
             bounds: self.bounds.iter().map(|b| b.posed(pose)).collect(),
             origins: Arc::clone(&self.origins),
             smooth_starts: Arc::clone(&self.smooth_starts),
+            features: self.features.iter().map(|f| f.posed(pose)).collect(),
+            feature_starts: Arc::clone(&self.feature_starts),
         }
+    }
+
+    pub fn features(&self) -> &[Feature] {
+        &self.features
+    }
+
+    /// The features of some pieces, with the points at both ends of the stretch.
+    pub fn features_of(&self, pieces: Range<usize>) -> Range<usize> {
+        let end = self.feature_starts[pieces.end];
+        let point = usize::from(self.features.get(end).is_some_and(|feature| !feature.is_piece()));
+        self.feature_starts[pieces.start]..end + point
     }
 
     /// Whether a place on a piece is a corner of the outline.
@@ -246,10 +276,12 @@ impl Outline {
         other.bounds[other_segment].distance_to(&self.bounds[segment])
     }
 
-    /// A lower bound of the distance of a point from a piece.
+    /// Whether a piece may be within `reach` of a point.
     #[inline]
-    pub fn bound_from(&self, segment: usize, p: Point) -> f64 {
-        (self.bounds[segment].center - p).norm() - self.bounds[segment].radius
+    pub fn may_be_within(&self, segment: usize, p: Point, reach: f64) -> bool {
+        let bound = &self.bounds[segment];
+        let radius = bound.radius + reach;
+        (bound.center - p).norm_squared() <= radius * radius
     }
 
     /// Circles around the pieces.

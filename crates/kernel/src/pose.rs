@@ -49,6 +49,12 @@ impl Pose {
         Point::new(v.x * self.cos + v.y * self.sin, v.y * self.cos - v.x * self.sin)
     }
 
+    /// The pose of the outer frame in the inner one.
+    pub fn inverse(&self) -> Self {
+        let turned_back = Self::with_y_axis(Point::default(), Point::new(-self.sin, self.cos));
+        Self { origin: -turned_back.vector(self.origin), ..turned_back }
+    }
+
     /// `self` after `inner`: takes coordinates of the inner frame all the way out.
     pub fn after(&self, inner: &Self) -> Self {
         Self::with_y_axis(self.point(inner.origin), self.vector(inner.y_axis()))

@@ -1,171 +1,317 @@
-//! The gap of one flank over a sequence of poses, each a little way from the last.
+//! The gap of one flank or both over a sequence of poses, several at once, each a little way from the last.
 //!
-//! A pair of pieces whose distance was d can have come no closer than d − s since, when no point of the tooth has moved
-//! farther than s. So each pair keeps a key, its distance (or a lower bound of it) plus the way travelled when that was
-//! found; while key − travelled exceeds the gap, the pair cannot be the closest and is not looked at. Rows of pairs (one
-//! piece of the tooth against one tooth of the circular spline) keep the least of their keys. From one tooth to the next
-//! a handful of the three hundred pairs is left.
+//! A pair of features whose distance was d can have come no closer than d − s since, when no point of the tooth's feature
+//! has moved farther than s. So each pair keeps a key, its distance (or a lower bound of it) plus the way travelled when
+//! that was found; while key − travelled exceeds the gap, the pair cannot be the closest and is not looked at. Rows of
+//! pairs (one feature of the tooth against one tooth of the circular spline) keep the least of their keys. From one group
+//! of poses to the next some twenty of the thousand pairs are left, and these are computed for the whole group at once.
 //!
-//! The result is the same number as [`clearance`](crate::clearance) gives, which stays as the oracle of this one.
+//! The result is the same number as [`clearance`](crate::clearance) gives, which stays as the oracle of this one. Poses
+//! at which outlines cross are left to it.
 
-use std::ops::Range;
+use pulp::{Arch, Simd, WithSimd};
 
+use crate::body::RingTooth;
+use crate::closest::MAY_CROSS;
 use crate::engagement::{Engagement, Flank};
+use crate::facing::{Posed, beside, facing};
+use crate::feature::{Feature, Kind};
+use crate::intersection;
+use crate::lanes::{Lanes, Poses, WIDEST};
 use crate::pose::Pose;
-use crate::separation::{distance, distance_apart};
 
-/// A lower bound this share of the tooth pitch above the gap is good enough; nearer ones are replaced by the distance,
-/// which then lasts for several teeth.
-const PATIENCE: f64 = 0.05;
+/// Keys are lowered by this much (mm), far more than rounding adds up to.
+const ROUNDING: f64 = 1e-12;
 
-/// The pursuit of one flank's gap.
+/// The pursuit of a tooth's gap.
 pub struct Pursuit<'a> {
     engagement: &'a Engagement,
-    flank: Flank,
-    blocks: Vec<Block>,
+    flanks: &'a [Flank],
     rows: Vec<Row>,
     /// Keys of the pairs, row after row.
     keys: Vec<f64>,
-    /// How many pairs a row has: the pieces of one tooth of the circular spline.
-    row_length: usize,
-    /// No point of the tooth lies farther from its frame's origin.
-    tooth_radius: f64,
-    /// No point has moved farther than this since the start.
-    travelled: f64,
     pose: Option<Pose>,
-    /// The pair that was closest at the last pose: row and place in the row.
+    way: Way,
+    /// The pair that was closest at the last poses: row and place in the row.
     last: (usize, usize),
+    /// The gap at the last pose, and the way travelled to it.
+    arrived: (f64, Way),
+    /// No point that counts lies farther from the tooth's origin.
+    reach: f64,
+    /// Nor any other point of a row.
+    farthest: f64,
 }
 
-/// Some pieces of the flexspline's tooth against one tooth of the circular spline.
-struct Block {
-    rows: Range<usize>,
-    /// Least key of its rows.
-    key: f64,
-}
-
-/// One piece of the flexspline's tooth against the pieces of one tooth of the circular spline.
+/// One feature of the flexspline's tooth against the features of one tooth of the circular spline.
 struct Row {
-    piece: usize,
-    first_other: usize,
+    feature: usize,
+    /// Which tooth of the circular spline.
+    other: usize,
+    first_key: usize,
     /// Least key of its pairs.
     key: f64,
+    /// No point of the feature lies farther from the tooth's origin.
+    reach: f64,
+}
+
+/// How far a tooth has come since the start.
+#[derive(Clone, Copy, Debug, Default)]
+struct Way {
+    /// Its origin (mm).
+    moved: f64,
+    /// Its axis (rad).
+    turned: f64,
+}
+
+impl Way {
+    /// No point within `reach` of the origin has moved farther.
+    #[inline(always)]
+    fn of(&self, reach: f64) -> f64 {
+        self.moved + self.turned * reach
+    }
 }
 
 impl<'a> Pursuit<'a> {
-    pub fn new(engagement: &'a Engagement, flank: Flank) -> Self {
-        let (tooth, space) = (engagement.tooth().segments().len(), engagement.space().segments().len());
-        let (pieces, facing) = (engagement.tooth_pieces(flank), engagement.space_pieces(flank));
-        let row_length = facing.len();
-        let (mut blocks, mut rows) = (Vec::new(), Vec::new());
-        let mut block = |pieces: &mut dyn Iterator<Item = usize>, first_other: usize| {
-            let start = rows.len();
-            rows.extend(pieces.map(|piece| Row { piece, first_other, key: f64::NEG_INFINITY }));
-            blocks.push(Block { rows: start..rows.len(), key: f64::NEG_INFINITY });
-        };
-        // The flank's own pieces against the whole ring, what faces it first; the rest of the tooth against what faces
-        // the flank.
-        block(&mut pieces.clone(), facing.start);
-        for other in (0..space).step_by(row_length).filter(|&other| other != facing.start) {
-            block(&mut pieces.clone(), other);
-        }
-        block(&mut (0..tooth).filter(|piece| !pieces.contains(piece)), facing.start);
-        Self {
+    /// Of the lesser gap of the given flanks, one or both.
+    pub fn new(engagement: &'a Engagement, flanks: &'a [Flank]) -> Self {
+        let (tooth, space) = (engagement.tooth(), engagement.space());
+        let (own, facing) = (engagement.bodies().0.pieces_of(flanks), engagement.bodies().1.pieces_of(flanks));
+        let mut pursuit = Self {
             engagement,
-            flank,
-            blocks,
-            keys: vec![f64::NEG_INFINITY; rows.len() * row_length],
-            rows,
-            row_length,
-            tooth_radius: engagement.tooth().reach(0..tooth),
-            travelled: 0.0,
+            flanks,
+            rows: Vec::with_capacity(5 * tooth.features().len()),
+            keys: Vec::with_capacity(tooth.features().len() * space.features().len()),
             pose: None,
+            way: Way::default(),
             last: (0, 0),
-        }
-    }
-
-    /// The signed clearance of the flank at `pose`.
-    pub fn gap(&mut self, pose: &Pose) -> f64 {
-        self.gap_below(pose, f64::INFINITY)
-    }
-
-    /// The signed clearance of the flank at `pose`, or `limit` where the clearance is not below it.
-    pub fn gap_below(&mut self, pose: &Pose, limit: f64) -> f64 {
-        self.travel_to(pose);
-        let engagement = self.engagement;
-        let tooth = || engagement.tooth().posed(pose);
-        match self.closest(pose, limit) {
-            None => engagement.overlap_gap(&tooth(), self.flank).min(limit),
-            Some(gap) if engagement.stands_free(pose) => gap,
-            Some(_) => engagement.flank(&tooth(), self.flank).gap.min(limit),
-        }
-    }
-
-    fn travel_to(&mut self, pose: &Pose) {
-        if let Some(last) = self.pose.replace(*pose) {
-            let turned = (pose.y_axis() - last.y_axis()).norm();
-            self.travelled += (pose.origin - last.origin).norm() + turned * self.tooth_radius;
-        }
-    }
-
-    /// The least distance of any pair, if it is below `limit`; `None` where outlines cross.
-    fn closest(&mut self, pose: &Pose, limit: f64) -> Option<f64> {
-        let (tooth, space) = (self.engagement.tooth(), self.engagement.space());
-        let good_enough = PATIENCE * self.engagement.motion().pitch;
-        let travelled = self.travelled;
-        let mut gap = limit;
-        // The pair that was closest is probably close again: its distance rules most others out.
-        let (row, place) = self.last;
-        let Row { piece, first_other, .. } = self.rows[row];
-        let found = distance(&tooth.segments()[piece].posed(pose), &space.segments()[first_other + place])?;
-        self.keys[row * self.row_length + place] = found + travelled;
-        gap = gap.min(found);
-
-        for block in &mut self.blocks {
-            if block.key >= gap + travelled {
-                continue;
+            arrived: (f64::INFINITY, Way::default()),
+            reach: tooth.reach(own.clone()),
+            farthest: tooth.reach(0..tooth.segments().len()),
+        };
+        // The flanks' own features against the whole ring, what faces them first; the rest of the tooth against what
+        // faces the flanks.
+        let (own, facing) = (tooth.features_of(own), space.features_of(facing));
+        // The flank first: it is probably what touches.
+        let land = engagement.tooth_pieces(flanks[0]).start;
+        let first = tooth.features_of(land + 1..land + 2).end - 1;
+        for is_faced in [true, false] {
+            for (number, RingTooth { features, .. }) in engagement.teeth_of_space().iter().enumerate() {
+                if (features.start >= facing.start && features.end <= facing.end) == is_faced {
+                    pursuit.add_rows((first..own.end).chain(own.start..first), number);
+                    if is_faced {
+                        pursuit.add_rows((0..own.start).chain(own.end..tooth.features().len()), number);
+                    }
+                }
             }
-            let mut least_row = f64::INFINITY;
-            for row in block.rows.clone() {
-                let Row { piece, first_other, ref mut key } = self.rows[row];
-                if *key < gap + travelled {
-                    let first_key = row * self.row_length;
-                    let keys = &mut self.keys[first_key..first_key + self.row_length];
-                    let others = first_other..first_other + self.row_length;
-                    let bound = tooth.bounds()[piece].posed(pose);
-                    let mut posed = None;
-                    let mut least = f64::INFINITY;
-                    let others = space.segments()[others.clone()].iter().zip(&space.bounds()[others]);
-                    for (place, (key, (other, other_bound))) in keys.iter_mut().zip(others).enumerate() {
-                        if *key < gap + travelled {
-                            let apart = bound.distance_to(other_bound);
-                            if apart > gap + good_enough {
-                                *key = apart + travelled;
-                            } else {
-                                let segment = posed.get_or_insert_with(|| tooth.segments()[piece].posed(pose));
-                                // A pair that cannot have met yet cannot cross.
-                                let may_cross = *key <= travelled;
-                                let found =
-                                    if may_cross { distance(segment, other)? } else { distance_apart(segment, other) };
-                                *key = found + travelled;
-                                if found < gap {
-                                    gap = found;
-                                    self.last = (row, place);
-                                }
+        }
+        pursuit
+    }
+
+    fn add_rows(&mut self, features: impl Iterator<Item = usize>, other: usize) {
+        let count = self.engagement.teeth_of_space()[other].circles.len();
+        for feature in features {
+            let first_key = self.keys.len();
+            let bound = &self.engagement.tooth().features()[feature].bound;
+            let reach = bound.center.norm() + bound.radius;
+            self.keys.resize(first_key + count, f64::NEG_INFINITY);
+            self.rows.push(Row { feature, other, first_key, key: f64::NEG_INFINITY, reach });
+        }
+    }
+
+    /// The signed clearances at some poses, in order.
+    pub fn gaps(&mut self, poses: &[Pose]) -> Vec<f64> {
+        let mut gaps = Vec::with_capacity(poses.len());
+        Arch::new().dispatch(Gaps { pursuit: self, poses, gaps: &mut gaps });
+        gaps
+    }
+
+    /// The clearance at a pose where outlines cross, touch or may hold each other.
+    #[cold]
+    fn overlap(&self, pose: &Pose) -> f64 {
+        let tooth = self.engagement.tooth().posed(pose);
+        let least =
+            |gap: &dyn Fn(Flank) -> f64| self.flanks.iter().map(|&flank| gap(flank)).fold(f64::INFINITY, f64::min);
+        let deepest = least(&|flank| self.engagement.overlap_gap(&tooth, flank));
+        if deepest < 0.0 { deepest } else { least(&|flank| self.engagement.flank(&tooth, flank).gap) }
+    }
+
+    fn travel_to(&mut self, pose: &Pose) -> Way {
+        if let Some(last) = self.pose.replace(*pose) {
+            self.way.moved += (pose.origin - last.origin).norm();
+            self.way.turned += (pose.y_axis() - last.y_axis()).norm();
+        }
+        self.way
+    }
+}
+
+/// The work of [`Pursuit::gaps`].
+struct Gaps<'a, 'b> {
+    pursuit: &'a mut Pursuit<'b>,
+    poses: &'a [Pose],
+    gaps: &'a mut Vec<f64>,
+}
+
+impl WithSimd for Gaps<'_, '_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        let Self { pursuit, poses, gaps } = self;
+        for poses in poses.chunks(S::F64_LANES) {
+            let (mut moved, mut turned) = ([0.0; WIDEST], [0.0; WIDEST]);
+            for l in 0..S::F64_LANES {
+                let way = pursuit.travel_to(&poses[l.min(poses.len() - 1)]);
+                (moved[l], turned[l]) = (way.moved, way.turned);
+            }
+            let ways = Ways { moved: Lanes::load(simd, &moved), turned: Lanes::load(simd, &turned) };
+            let found = closest(pursuit, &Poses::new(simd, poses), &ways).to_array();
+            for (pose, &gap) in poses.iter().zip(&found) {
+                let is_free = gap > f64::NEG_INFINITY && pursuit.engagement.stands_free(pose);
+                gaps.push(if is_free { gap } else { pursuit.overlap(pose) });
+            }
+            pursuit.arrived = (found[poses.len() - 1], pursuit.way);
+        }
+    }
+}
+
+/// [`Way`]s.
+#[derive(Clone, Copy)]
+struct Ways<S: Simd> {
+    moved: Lanes<S>,
+    turned: Lanes<S>,
+}
+
+impl<S: Simd> Ways<S> {
+    #[inline(always)]
+    fn of(&self, simd: S, reach: f64) -> Lanes<S> {
+        self.moved + self.turned * Lanes::all(simd, reach)
+    }
+}
+
+/// The least distance of any pair; −∞ where outlines cross or touch.
+#[inline(always)]
+fn closest<S: Simd>(pursuit: &mut Pursuit, poses: &Poses<S>, ways: &Ways<S>) -> Lanes<S> {
+    let simd = poses.simd();
+    let (tooth, space) = (pursuit.engagement.tooth().features(), pursuit.engagement.space().features());
+    // A gap grows no faster than its tooth moves.
+    let (gap, arrived) = pursuit.arrived;
+    let ceiling = gap.max(0.0) - arrived.of(pursuit.reach) + ROUNDING;
+    let mut group = Group {
+        simd,
+        gaps: Lanes::all(simd, f64::INFINITY),
+        ceilings: ways.of(simd, pursuit.reach) + Lanes::all(simd, ceiling),
+    };
+    // The pair that was closest is probably close again, and at the start a pair of the first row: its distance rules
+    // most others out.
+    let (number, place) = pursuit.last;
+    let row = &pursuit.rows[number];
+    let posed = Posed::new(&tooth[row.feature], poses);
+    let way = ways.of(simd, row.reach);
+    let others = &pursuit.engagement.teeth_of_space()[row.other].features;
+    let places = if gap == f64::INFINITY { 0..others.len() } else { place..place + 1 };
+    for place in places {
+        pursuit.keys[row.first_key + place] = group.pair(&posed, &space[others.start + place], way).0;
+    }
+    let first = poses.first();
+
+    // No feature has come farther than this.
+    let far = ways.of(simd, pursuit.farthest);
+    let mut within_far = group.within(far);
+    for (number, row) in pursuit.rows.iter_mut().enumerate() {
+        if row.key >= within_far {
+            continue;
+        }
+        let way = ways.of(simd, row.reach);
+        let mut within = group.within(way);
+        if row.key >= within {
+            continue;
+        }
+        let travelled = way.least() - ROUNDING;
+        let feature = &tooth[row.feature];
+        let bound = feature.bound.posed(first);
+        let other = &pursuit.engagement.teeth_of_space()[row.other];
+        row.key = bound.distance_to(&other.circle) + travelled;
+        if row.key >= within {
+            continue;
+        }
+        let posed = Posed::new(feature, poses);
+        let keys = &mut pursuit.keys[row.first_key..row.first_key + other.circles.len()];
+        let mut least = Lanes::all(simd, f64::INFINITY);
+        for (start, keys) in (0..).step_by(S::F64_LANES).zip(keys.chunks_exact_mut(S::F64_LANES)) {
+            if Lanes::load(simd, keys).least() < within {
+                let found = other.circles.distance_from(simd, start, &bound) + Lanes::all(simd, travelled);
+                let renewed = Lanes::load(simd, keys).max(found);
+                renewed.store(keys);
+                if renewed.least() < within {
+                    for (place, key) in (start..).zip(keys.iter_mut()) {
+                        if *key < within && (number, place) != pursuit.last {
+                            let is_closest;
+                            (*key, is_closest) = group.pair(&posed, &space[other.features.start + place], way);
+                            if is_closest {
+                                pursuit.last = (number, place);
+                                (within, within_far) = (group.within(way), group.within(far));
                             }
                         }
-                        if *key < least {
-                            least = *key;
-                        }
                     }
-                    *key = least;
-                }
-                if *key < least_row {
-                    least_row = *key;
                 }
             }
-            block.key = least_row;
+            least = least.min(Lanes::load(simd, keys));
         }
-        Some(gap)
+        row.key = least.least();
+    }
+    group.gaps
+}
+
+/// The gaps found so far at a group of poses.
+struct Group<S: Simd> {
+    simd: S,
+    gaps: Lanes<S>,
+    /// What the gaps do not exceed.
+    ceilings: Lanes<S>,
+}
+
+impl<S: Simd> Group<S> {
+    /// Pairs with greater keys matter at none of the poses, which lie at these ways.
+    #[inline(always)]
+    fn within(&self, way: Lanes<S>) -> f64 {
+        (self.gaps.min(self.ceilings) + way).greatest()
+    }
+
+    /// Takes a pair into account; returns its key and whether it is the closest at any pose.
+    #[inline(always)]
+    fn pair(&mut self, a: &Posed<'_, S>, b: &Feature, way: Lanes<S>) -> (f64, bool) {
+        let simd = self.simd;
+        let fixed = Posed::fixed(b, simd);
+        let found = facing(a, &fixed);
+        let mut apart = found.apart;
+        if a.feature.is_piece() && b.is_piece() && apart.least() <= MAY_CROSS {
+            apart = apart.max(beside(a, &fixed));
+            if apart.least() <= MAY_CROSS {
+                self.cross(a, b, apart);
+            }
+        }
+        let never = Lanes::all(simd, f64::NEG_INFINITY);
+        let touching = found.gap.at_most(Lanes::all(simd, MAY_CROSS));
+        // An end is not a contact of its own: it has pieces on both sides.
+        let has_end = a.feature.kind == Kind::End || b.kind == Kind::End;
+        let gap = touching.select(if has_end { Lanes::all(simd, f64::INFINITY) } else { never }, found.gap);
+        let gaps = self.gaps.min(apart.at_most(never).select(never, gap));
+        let is_closest = (gaps - self.gaps).least() < 0.0;
+        self.gaps = gaps;
+        (((apart.max(Lanes::all(simd, 0.0))) + way).least() - ROUNDING, is_closest)
+    }
+
+    /// Marks the poses at which two pieces cross, of those at which they may.
+    #[cold]
+    #[inline(never)]
+    fn cross(&mut self, a: &Posed<'_, S>, b: &Feature, apart: Lanes<S>) {
+        let other = b.piece();
+        let (apart, mut gaps) = (apart.to_array(), self.gaps.to_array());
+        for l in 0..S::F64_LANES {
+            if apart[l] <= MAY_CROSS && intersection::crossings(&a.at(l).piece(), &other).any() {
+                gaps[l] = f64::NEG_INFINITY;
+            }
+        }
+        self.gaps = Lanes::load(self.simd, &gaps);
     }
 }

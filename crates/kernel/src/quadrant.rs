@@ -3,6 +3,7 @@
 use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
 
+use crate::arc_length::Station;
 use crate::point::Point;
 use crate::ring_shape::SampledShape;
 
@@ -36,7 +37,7 @@ impl Quadrant {
                 if offset > 0.0 {
                     // Newton on the polar angle, whose derivative is (p × p′)/|p|².
                     for _ in 0..50 {
-                        let point = self.point(t);
+                        let point = self.point(Station::at(t));
                         let slope = self.speed(t) * point.normal.dot(point.position) / point.position.norm_squared();
                         let step = (phi - point.position.angle()) / slope;
                         t = (t + step).clamp(0.0, FRAC_PI_2);
@@ -63,11 +64,29 @@ impl Quadrant {
         }
     }
 
-    pub fn point(&self, t: f64) -> CurvePoint {
+    /// Arc length per parameter and its derivative by the parameter.
+    pub fn speed_and_slope(&self, t: f64) -> [f64; 2] {
         match self {
-            Self::Polar { .. } => polar_point(t, self.polar(t)),
+            Self::Polar { base, amplitude, shape } => {
+                polar_speed_and_slope(polar(*base, *amplitude, shape.shape.at(t)))
+            }
             Self::Ellipse { major, minor, offset } => {
                 let (sin, cos) = t.sin_cos();
+                let speed = (minor * cos).hypot(major * sin);
+                let slope = (major * major - minor * minor) * sin * cos / speed;
+                let bend = offset * major * minor / speed.powi(3);
+                [speed + bend * speed, slope * (1.0 - 2.0 * bend)]
+            }
+        }
+    }
+
+    pub fn point(&self, station: Station) -> CurvePoint {
+        match self {
+            Self::Polar { base, amplitude, shape } => {
+                polar_point(station.direction, polar(*base, *amplitude, shape.shape.at_station(station)))
+            }
+            Self::Ellipse { major, minor, offset } => {
+                let Point { x: sin, y: cos } = station.direction;
                 let speed = (minor * cos).hypot(major * sin);
                 let normal = Point::new(major * sin, minor * cos) * (1.0 / speed);
                 let radius_of_curvature = speed.powi(3) / (major * minor);
@@ -85,7 +104,7 @@ impl Quadrant {
         match self {
             Self::Polar { base, amplitude, shape } => polar(*base, *amplitude, shape.shape.at(phi)),
             Self::Ellipse { .. } => {
-                let CurvePoint { position, normal, curvature } = self.point(self.parameter(phi));
+                let CurvePoint { position, normal, curvature } = self.point(Station::at(self.parameter(phi)));
                 let r = position.norm();
                 // tan ψ = −r′/r, and r″ from the curvature of a polar curve.
                 let r1 = r * position.cross(normal) / position.dot(normal);
@@ -107,10 +126,16 @@ pub fn polar_speed(base: f64, amplitude: f64, [f, f1, _]: [f64; 3]) -> f64 {
     (r * r + r1 * r1).sqrt()
 }
 
-pub fn polar_point(phi: f64, [r, r1, r2]: [f64; 3]) -> CurvePoint {
+/// The same with its derivative by the polar angle.
+pub fn polar_speed_and_slope([r, r1, r2]: [f64; 3]) -> [f64; 2] {
+    let speed = (r * r + r1 * r1).sqrt();
+    [speed, r1 * (r + r2) / speed]
+}
+
+/// The point in the direction `radial`.
+pub fn polar_point(radial: Point, [r, r1, r2]: [f64; 3]) -> CurvePoint {
     let speed_squared = r * r + r1 * r1;
     let speed = speed_squared.sqrt();
-    let radial = Point::at_angle(phi);
     CurvePoint {
         position: radial * r,
         normal: (radial * r - radial.clockwise() * r1) * (1.0 / speed),

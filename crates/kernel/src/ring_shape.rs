@@ -3,8 +3,9 @@
 use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
 
-use crate::arc_length::Panels;
+use crate::arc_length::{Panels, Station};
 use crate::error::GeometryError;
+use crate::point::Point;
 
 /// Jumps of w/w0 and its slope below this share are rounding.
 const SMOOTH: f64 = 1e-9;
@@ -89,11 +90,15 @@ impl RingShape {
 
     /// w/w0 and its first two derivatives at 0 ≤ φ ≤ π/2.
     pub fn at(&self, phi: f64) -> [f64; 3] {
+        self.at_station(Station::at(phi))
+    }
+
+    pub(crate) fn at_station(&self, phi: Station) -> [f64; 3] {
         match self {
-            Self::Harmonics(terms) => harmonics(terms, phi),
+            Self::Harmonics(terms) => harmonics(terms, phi.direction),
             Self::Pieces(pieces) => {
-                let index = pieces.partition_point(|q| q.phi_end < phi).min(pieces.len() - 1);
-                pieces[index].at(phi)
+                let index = pieces.partition_point(|q| q.phi_end < phi.t).min(pieces.len() - 1);
+                pieces[index].at_station(phi)
             }
         }
     }
@@ -130,7 +135,10 @@ pub struct SampledShape {
 
 impl RingPiece {
     fn at(&self, phi: f64) -> [f64; 3] {
-        let (sin, cos) = phi.sin_cos();
+        self.at_station(Station::at(phi))
+    }
+
+    fn at_station(&self, Station { t: phi, direction: Point { x: sin, y: cos } }: Station) -> [f64; 3] {
         let (along_cos, along_sin) = (self.c + self.c_phi * phi, self.s + self.s_phi * phi);
         [
             self.p + along_cos * cos + along_sin * sin,
@@ -140,9 +148,9 @@ impl RingPiece {
     }
 }
 
-fn harmonics(terms: &[f64], phi: f64) -> [f64; 3] {
-    // cos 2nφ and sin 2nφ by rotation: one sine and cosine for all terms.
-    let (sin, cos) = (2.0 * phi).sin_cos();
+fn harmonics(terms: &[f64], direction: Point) -> [f64; 3] {
+    // cos 2nφ and sin 2nφ by rotation, from sin φ and cos φ.
+    let (sin, cos) = (2.0 * direction.x * direction.y, (direction.y - direction.x) * (direction.y + direction.x));
     let (mut c, mut s, mut n) = (1.0, 0.0, 0.0);
     let mut sum = [0.0; 3];
     for term in terms {

@@ -16,6 +16,7 @@ use std::ops::Range;
 use crate::nearest::Place;
 use crate::outline::Outline;
 use crate::point::Point;
+use crate::pose::Pose;
 
 /// Sides that bend by more than this (rad) within reach of a corner are not taken for straight.
 const STRAIGHT: f64 = 0.1;
@@ -31,49 +32,73 @@ pub struct Neighbourhood {
     pub depth: f64,
 }
 
-/// The pieces of an outline whose points count for a flank.
+/// The pieces of an outline whose points count for the gap.
 pub struct Side<'a> {
     pub outline: &'a Outline,
     pub counted: Range<usize>,
+    /// No point of these lies farther from the frame's origin (mm), if there is such a bound.
+    pub reach: f64,
 }
 
-/// Whether no tied point of either outline can be the deepest one in the other body, anywhere in the neighbourhood.
-pub fn free_of_ties(first: &Side, second: &Side, around: &Neighbourhood) -> bool {
-    [(first, second), (second, first)]
-        .iter()
-        .all(|(side, body)| body.outline.corner_starts().all(|corner| harmless(side, body, corner, around)))
+/// A convex corner of a body, in its own frame.
+#[derive(Clone, Copy, Debug)]
+pub struct ConvexCorner {
+    pub point: Point,
+    /// The normals that meet there.
+    pub normals: [Point; 2],
+    /// Cosine of half the angle between them.
+    pub sharpness: f64,
+    /// Length of the shorter piece next to it (mm).
+    pub side: f64,
+    /// Greatest curvature of these pieces (1/mm).
+    pub curvature: f64,
+    /// The piece that starts here.
+    pub piece: usize,
 }
 
-/// Whether no tie on the bisector of one corner, where piece `corner` of the body starts, can be deepest.
-fn harmless(side: &Side, body: &Side, corner: usize, around: &Neighbourhood) -> bool {
-    let may_be_witness = body.counted.contains(&corner);
-    let body = body.outline;
-    let (before, after) = (&body.segments()[corner - 1], &body.segments()[corner]);
-    let (n1, n2) = (before.end_normal(), after.start_normal());
-    if n1.cross(n2) >= 0.0 {
-        return true;
+impl ConvexCorner {
+    /// The corner where a piece of an outline starts, if it is one.
+    pub fn of(outline: &Outline, piece: usize) -> Option<Self> {
+        let [before, after] = [&outline.segments()[piece - 1], &outline.segments()[piece]];
+        let normals = [before.end_normal(), after.start_normal()];
+        (normals[0].cross(normals[1]) < 0.0).then(|| Self {
+            point: after.start(),
+            normals,
+            sharpness: 0.5 * (normals[0] + normals[1]).norm(),
+            side: before.length().min(after.length()),
+            curvature: before.curvature().abs().max(after.curvature().abs()),
+            piece,
+        })
     }
-    let Some(bisector) = (n1 + n2).unit() else { return false };
-    let sharpness = n1.dot(bisector);
+}
+
+/// Whether no tied point of the outline on the bisector of a corner, whose body stands at `pose` in the outline's frame,
+/// can be the deepest one, anywhere in the neighbourhood. `may_be_witness` says whether the corner itself counts.
+pub fn harmless(side: &Side, corner: &ConvexCorner, pose: &Pose, may_be_witness: bool, around: &Neighbourhood) -> bool {
     // A tied point of depth d lies d / sharpness from a corner with straight sides.
-    let reach = (1.0 + STRAIGHT) * around.depth / sharpness + around.moved;
+    let reach = (1.0 + STRAIGHT) * around.depth / corner.sharpness + around.moved;
     // Farther in than its sides are long, a tied point may be near other pieces.
-    if before.length().min(after.length()) < reach {
+    if corner.side < reach {
         return false;
     }
-    let at = after.start();
-    let Some(near) = NearRun::around(side, at, reach) else { return true };
-    let bend = reach * before.curvature().abs().max(after.curvature().abs());
+    let point = pose.point(corner.point);
+    if point.norm_squared() > (side.reach + reach).powi(2) {
+        return true;
+    }
+    let Some(near) = NearRun::around(side, point, reach) else { return true };
+    let bend = reach * corner.curvature;
     if bend > STRAIGHT || near.has_corner {
         return false;
     }
 
+    let [n1, n2] = corner.normals.map(|normal| pose.vector(normal));
+    let Some(bisector) = (n1 + n2).unit() else { return false };
     // Within reach the outline runs at most twice the reach from its foot.
     let spread = 2.0 * reach * near.curvature + bend + around.turned;
     let tangent = near.normal.clockwise();
     let (along_1, along_2) = (tangent.dot(n1), tangent.dot(n2));
     let passes_through = along_1.min(along_2) > spread || along_1.max(along_2) < -spread;
-    let corner_is_deeper = -near.normal.dot(bisector) - sharpness > spread;
+    let corner_is_deeper = -near.normal.dot(bisector) - corner.sharpness > spread;
     passes_through || (may_be_witness && corner_is_deeper)
 }
 
@@ -91,9 +116,12 @@ impl NearRun {
     /// `None` where no counted piece is within reach.
     fn around(side: &Side, p: Point, reach: f64) -> Option<Self> {
         let outline = side.outline;
+        if !side.counted.clone().any(|index| outline.may_be_within(index, p, reach)) {
+            return None;
+        }
         let mut near: Vec<(usize, f64)> = Vec::new();
         for (index, piece) in outline.segments().iter().enumerate() {
-            if outline.bound_from(index, p) <= reach {
+            if outline.may_be_within(index, p, reach) {
                 let distance = piece.nearest(p).distance.abs();
                 if distance <= reach {
                     near.push((index, distance));

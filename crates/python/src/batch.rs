@@ -182,8 +182,11 @@ pub fn evaluate_batch(
         curves: curves.0.clone(),
     };
     let question = Question { threshold, play, radial, in_motion };
-    let pool = pool(threads)?;
+    let pool = if batch.is_small() { None } else { pool(threads)? };
     let answer = py.detach(|| {
+        if batch.is_small() {
+            return Ok(batch.evaluate(&question, &AtomicBool::new(false)));
+        }
         stoppable(|cancelled| {
             let evaluate = || batch.evaluate(&question, cancelled);
             match &pool {
