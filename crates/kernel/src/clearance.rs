@@ -78,9 +78,9 @@ pub fn clearance(
     let touching = match search.found {
         Closest::Apart { gap, contact } => {
             let witness = apart_witness(first, second, gap, &contact);
-            // Without a crossing each outline is wholly on one side of the other.
-            let outside = second.signed_distance(first.segments()[first_pieces.start].start()).value >= 0.0
-                && first.signed_distance(second.segments()[second_pieces.start].start()).value >= 0.0;
+            // Without a crossing each outline is wholly on one side of the other. Both ends are asked, so that beyond the
+            // outlines' own ends, where that need not hold, a pose and its mirror image have the same answer.
+            let outside = are_outside(first, &first_pieces, second) && are_outside(second, &second_pieces, first);
             if outside {
                 return witness;
             }
@@ -91,6 +91,12 @@ pub fn clearance(
         Closest::Crossing { pieces: (i, j), point } => crossing_witness(first, i, second, j, point),
     };
     overlap(first, first_pieces, second, second_pieces, touching)
+}
+
+/// Whether both ends of a stretch of outline are outside a body.
+fn are_outside(outline: &Outline, pieces: &Range<usize>, body: &Outline) -> bool {
+    let ends = [outline.segments()[pieces.start].start(), outline.segments()[pieces.end - 1].end()];
+    ends.iter().all(|&end| body.signed_distance(end).value >= 0.0)
 }
 
 /// The greatest depth of bodies that overlap, or the given contact where nothing is deep.
