@@ -35,7 +35,7 @@ test: check-rust check-python $(if $(DOCS_CONFIG),docs) ## Formatters, linters, 
 soak: $(VENV)/dev.stamp $(VENV)/kernel.stamp ## An hour of fuzzing, a million poses against brute force, long random tests
 	cargo test --release --package strainwave-kernel --test soak -- --ignored --nocapture
 	scripts/fuzz $(SOAK_SECONDS)
-	$(BIN)/pytest tests/property --soak
+	$(BIN)/pytest tests/property tests/studies/test_wizard.py --soak
 
 bench: $(VENV)/dev.stamp $(VENV)/kernel.stamp ## Write every number that the README quotes
 	@for script in benchmarks/*.py; do echo "$$script"; $(BIN)/python "$$script" || exit 1; done

@@ -27,7 +27,7 @@ def write_whole(path: str | os.PathLike[str], content: str | bytes, *, overwrite
         finally:
             draft.unlink(missing_ok=True)
     except OSError as error:
-        raise _unwritable(path, error) from None
+        raise unwritable(path, error) from None
 
 
 def check_free(path: str | os.PathLike[str], *, overwrite: bool) -> None:
@@ -41,9 +41,10 @@ def check_free(path: str | os.PathLike[str], *, overwrite: bool) -> None:
         if not target.resolve().parent.is_dir():
             raise StrainwaveError(f"{target}: cannot be written: there is no directory {target.parent}")
     except (OSError, ValueError) as error:  # ValueError: a path with a null character
-        raise _unwritable(path, error) from None
+        raise unwritable(path, error) from None
 
 
-def _unwritable(path: str | os.PathLike[str], error: OSError | ValueError) -> StrainwaveError:
+def unwritable(path: str | os.PathLike[str], error: OSError | ValueError) -> StrainwaveError:
+    """The error to raise where a file or folder at `path` cannot be written."""
     reason = error.strerror if isinstance(error, OSError) else error
     return StrainwaveError(f"{Path(path)}: cannot be written: {reason}")

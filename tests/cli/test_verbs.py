@@ -19,7 +19,16 @@ from tests.designs import CASE_STUDY
 COSINE = CASE_STUDY / "cosine.toml"
 CALIBRATED = CASE_STUDY / "cosine-calibrated.toml"
 HELP = {
-    "new": ["--out", "strainwave new --out my-gear.toml", "mm"],
+    "new": [
+        "--ratio",
+        "--pitch-diameter",
+        "--generator",
+        "--profile",
+        "--use",
+        "--out",
+        "strainwave new --out my-gear.toml",
+        "mm",
+    ],
     "validate": ["DESIGN", "--json", "strainwave validate my-gear.toml", "unit"],
     "analyze": [
         "--threshold",
@@ -33,7 +42,21 @@ HELP = {
         "µm",
         "degrees",
     ],
+    "compare": ["--with", "--w0", "--goal", "--json", "--csv", "--plot", "µm", "strainwave compare my-gear.toml"],
+    "tune": ["--margin", "--goal", "--out", "--json", "--csv", "--plot", "µm", "strainwave tune my-gear.toml"],
+    "sweep": ["--vary", "--metric", "--json", "--csv", "--plot", "µm", "strainwave sweep my-gear.toml"],
     "case-study": ["--json", "--plot", "strainwave case-study --plot case-study.png", "µm"],
+    "tolerance": ["TOLERANCES", "--samples", "--seed", "--csv", "µm", "strainwave tolerance my-gear.toml"],
+    "optimize": [
+        "--vary",
+        "--objective",
+        "--require",
+        "--seed",
+        "--out",
+        "rim-strain",
+        "µm",
+        "strainwave optimize my-gear.toml",
+    ],
 }
 
 

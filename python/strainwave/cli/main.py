@@ -59,7 +59,9 @@ def _run(arguments: Sequence[str] | None) -> int:
 
 def _usage_message(error: Any) -> str:
     command = error.ctx.command_path if error.ctx else "strainwave"
-    return f"{error.format_message().rstrip('.')} (see: {command} --help)"
+    message = " ".join(error.format_message().split())  # a list of choices comes on several lines
+    message = message.replace("Value error, ", "", 1)  # what typer's checks put before what they say
+    return f"{message.rstrip('.')} (see: {command} --help)"
 
 
 def _complain(message: str, code: int = ERROR) -> int:

@@ -1,4 +1,4 @@
-"""Faults of a design file name the file, also those that only its geometry shows."""
+"""Faults of a design file name the file, also those that only its geometry shows, and those of an option the option."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from strainwave.errors import DesignError
 
 
 @contextmanager
-def naming(path: Path) -> Iterator[None]:
-    """Put the file's name in front of a design error raised inside the block."""
+def naming(source: Path | str) -> Iterator[None]:
+    """Put the name of the file or option in front of a design error raised inside the block."""
     try:
         yield
     except DesignError as error:
-        raise DesignError(error.faults, error.source or str(path)) from None
+        raise DesignError(error.faults, error.source or str(source)) from None

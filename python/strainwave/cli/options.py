@@ -14,3 +14,9 @@ Plot = Annotated[
     Path | None,
     typer.Option("--plot", metavar="FILE", help="Draw the backlash distribution: FILE.png, FILE.svg or FILE.pdf."),
 ]
+Threshold = Annotated[
+    float, typer.Option("--threshold", metavar="UM", help="Count teeth with less backlash than this, in µm.")
+]
+Threads = Annotated[
+    int, typer.Option("--threads", metavar="N", help="Use so many cores; 0 takes all. Results do not depend on it.")
+]

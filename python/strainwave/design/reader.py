@@ -3,82 +3,21 @@
 from __future__ import annotations
 
 import os
-import re
-import tomllib
-from pathlib import Path
 
 from strainwave.design.design import Design
-from strainwave.errors import LONGEST_TEXT_SHOWN, DesignError, Fault, shown_text
+from strainwave.toml_file import LARGEST_FILE_BYTES, TomlFile
 
-LARGEST_FILE_BYTES = 1_000_000
+__all__ = ["LARGEST_FILE_BYTES", "load", "loads"]
 
-_POSITION = re.compile(r"^(?P<problem>.*) \(at (?:line (?P<line>\d+), column (?P<column>\d+)|end of document)\)$", re.S)
+_FILE = TomlFile("design file", "design", "Start from the template that `strainwave new` writes")
 
 
 def load(path: str | os.PathLike[str]) -> Design:
     """The design in a TOML file. DesignError names every fault in it, or why it cannot be read."""
     source = os.fspath(path)
-    try:
-        with Path(source).open("rb") as file:
-            content = file.read(LARGEST_FILE_BYTES + 1)
-    except (OSError, ValueError) as error:  # ValueError: a path with a null character
-        raise DesignError([Fault("", problem=_why_unreadable(error))], source) from None
-    if len(content) > LARGEST_FILE_BYTES:
-        problem = f"is larger than {LARGEST_FILE_BYTES // 1_000_000} MB, so it is no design file"
-        raise DesignError([Fault("", problem=problem)], source)
-    return loads(_text(content, source), source)
+    return loads(_FILE.text(source), source)
 
 
 def loads(text: str, source: str | None = None) -> Design:
     """The design in TOML text. DesignError names every fault in it, and `source`."""
-    try:
-        tree = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
-        raise DesignError([_syntax_fault(text, str(error))], source) from None
-    except RecursionError:
-        raise DesignError([Fault("", problem="nests arrays or tables too deeply to read")], source) from None
-    except ValueError:  # int() refuses a number of more than 4300 digits
-        raise DesignError([Fault("", problem="holds a number of thousands of digits")], source) from None
-    if not tree:
-        remedy = "Start from the template that `strainwave new` writes"
-        raise DesignError([Fault("", problem="is empty: it holds no design", remedy=remedy)], source)
-    return Design.from_dict(tree, source)
-
-
-def _why_unreadable(error: OSError | ValueError) -> str:
-    if isinstance(error, IsADirectoryError):
-        return "is a directory, not a design file"
-    if isinstance(error, FileNotFoundError):
-        return "there is no such file"
-    if isinstance(error, PermissionError):
-        return "may not be read: permission denied"
-    return f"cannot be read: {error.strerror if isinstance(error, OSError) else error}"
-
-
-def _text(content: bytes, source: str) -> str:
-    try:
-        text = content.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        line = content.count(b"\n", 0, error.start) + 1
-        fault = Fault(f"line {line}", problem="is not UTF-8 text", remedy="Save the file as UTF-8 text in TOML")
-        raise DesignError([fault], source) from None
-    if "\0" in text:
-        raise DesignError([Fault("", problem="is a binary file, not a design in TOML")], source)
-    return text
-
-
-def _syntax_fault(text: str, message: str) -> Fault:
-    """The parser's message with its place as the key and the line that it could not read."""
-    match = _POSITION.match(message)
-    if match is None:
-        return Fault("", problem=f"is not TOML: {shown_text(message[:LONGEST_TEXT_SHOWN])}")
-    problem = f"is not TOML: {shown_text(match['problem'][:LONGEST_TEXT_SHOWN])}"
-    if match["line"] is None:
-        return Fault("the end of the file", problem=problem, remedy="Close what is open there")
-    line = int(match["line"])
-    written = text.split("\n")[line - 1].strip()
-    return Fault(
-        f"line {line}, column {match['column']}",
-        problem=problem,
-        remedy=f"The line reads: {shown_text(written[:LONGEST_TEXT_SHOWN])}",
-    )
+    return Design.from_dict(_FILE.tree(text, source), source)

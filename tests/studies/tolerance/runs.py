@@ -1,0 +1,36 @@
+"""Tolerances and small tolerance analyses for tests."""
+
+from __future__ import annotations
+
+from functools import cache
+from pathlib import Path
+
+from strainwave.studies.tolerance import (
+    ECCENTRICITY,
+    Normal,
+    ToleranceAnalysis,
+    Tolerances,
+    TruncatedNormal,
+    Uniform,
+    analyze_tolerance,
+)
+from tests.designs import CASE_STUDY, case
+
+FILE: Path = CASE_STUDY.parent / "tolerances" / "series.toml"
+W0, OFFSET, ANGLE = "wave_generator.w0", "flexspline.profile.offset", "flexspline.profile.flank_angle"
+
+THREE = Tolerances(
+    name="Three and eccentric",
+    tolerances=(
+        Normal(parameter=W0, sigma=0.001),
+        TruncatedNormal(parameter=OFFSET, three_sigma=0.0045, lower=-0.003, upper=0.002, shift=0.0005),
+        Uniform(parameter=ANGLE, lower=-0.05, upper=0.1),
+        Uniform(parameter=ECCENTRICITY, lower=-0.001, upper=0.001),
+    ),
+)
+
+
+@cache
+def analysis() -> ToleranceAnalysis:
+    """The calibrated cosine cam with `THREE`."""
+    return analyze_tolerance(case("cosine-calibrated"), THREE, samples=2048, sobol_samples=128)
