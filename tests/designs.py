@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from strainwave.design import Design, load
+from strainwave.profiles import Gear
 
 CASE_STUDY = Path(__file__).parent.parent / "designs" / "case-study"
 CASES = ["cosine", "four-roller", "dual-disk-0848", "dual-disk-0900"]
@@ -17,6 +18,11 @@ CASES = ["cosine", "four-roller", "dual-disk-0848", "dual-disk-0900"]
 def case(name: str = "cosine") -> Design:
     """A case of the article's case study."""
     return load(CASE_STUDY / f"{name}.toml")
+
+
+def gear(module: float) -> Gear:
+    """The case study's flexspline in another module."""
+    return Gear.of(module, 204, internal=False)
 
 
 def circular_spline_as_pieces() -> dict[str, Any]:

@@ -25,6 +25,16 @@ def cos(angle: ArrayLike) -> Floats:
     return _each(math.cos, angle)
 
 
+def tan(angle: ArrayLike) -> Floats:
+    """Tangent of angles in rad."""
+    return _each(math.tan, angle)
+
+
+def arctan(ratio: ArrayLike) -> Floats:
+    """Arctangent in rad."""
+    return _each(math.atan, ratio)
+
+
 def arcsin(ratio: ArrayLike) -> Floats:
     """Arcsine in rad; the ratios lie from -1 to 1."""
     return _each(math.asin, ratio)

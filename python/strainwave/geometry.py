@@ -10,6 +10,7 @@ from typing import Self
 from strainwave._kernel import Engagement, GeometryError, NeutralCurve, Profile
 from strainwave.design import CircularSpline, Design, Flexspline
 from strainwave.errors import DesignError, Fault, StrainwaveError
+from strainwave.profiles import Gear
 from strainwave.quantities import MM, MODULES
 
 # For each code of the kernel that a design can cause: the key to blame, below the spline's table or the wave
@@ -72,7 +73,7 @@ class Geometry:
 def _profile(module: float, spline: Flexspline | CircularSpline, internal: bool) -> Profile:
     spec = spline.profile
     return Profile(
-        spec.flank(module),
+        spec.flank(Gear.of(module, spline.teeth, internal=internal)),
         teeth=spline.teeth,
         pitch_radius=0.5 * module * spline.teeth,
         internal=internal,

@@ -29,9 +29,15 @@ GENERATORS: dict[str, dict[str, Any]] = {
     "samples": {"kind": "table", "samples": [1.0, 0.7, 0.02, -0.71, -1.01]},
     "fourier": {"kind": "table", "fourier": [0.01, 0.98, 0.02, -0.01]},
 }
+INVOLUTE = {"kind": "involute", "addendum": 0.5, "dedendum": 0.7, "pressure_angle": 28.0, "root_fillet_radius": 0.1}
 PROFILES: dict[str, dict[str, Any]] = {
     "arcs": {},
     "pieces": {"circular_spline.profile": circular_spline_as_pieces()},
+    "involute": {
+        "flexspline.profile": INVOLUTE | {"offset": -0.01},
+        "circular_spline.profile": INVOLUTE | {"profile_shift": 0.05},
+        "flexspline.neutral_radius": 79.83,
+    },
     "line": {"flexspline.profile": LINE, "flexspline.neutral_radius": 79.83},
 }
 WILD = (np.nan, np.inf, -np.inf, 0.0, -1.0, 1e-5, 0.3, 5.0, 40.0, 79.0, 90.0, 1e7)

@@ -12,6 +12,7 @@ from pydantic import ValidationError
 
 from strainwave.errors import FaultError
 from strainwave.profiles import Piece, Pieces
+from tests.designs import gear
 
 QUARTER = {"to": [1.0, 0.0], "radius": 1.0}  # from (0, 1), about the origin, outward normals
 CHAIN: dict[str, Any] = {"kind": "pieces", "addendum": 1.0, "dedendum": 1.5, "start": [0.0, 1.0]}
@@ -27,27 +28,27 @@ def faults(**keys: Any) -> dict[str, str]:
 
 
 def test_a_convex_arc_turns_clockwise_about_its_centre() -> None:
-    row = Pieces.model_validate(CHAIN | {"pieces": [QUARTER]}).flank(1.0)[0]
+    row = Pieces.model_validate(CHAIN | {"pieces": [QUARTER]}).flank(gear(1.0))[0]
     assert row == pytest.approx((0.0, 1.0, 0.0, 1.0, math.pi / 2), abs=1e-14)
 
 
 def test_a_concave_arc_turns_the_other_way() -> None:
     """From (0, 1) about (1, 1): straight down at first, then to the right; its normal points to its centre."""
-    row = Pieces.model_validate(CHAIN | {"pieces": [{"to": [1.0, 0.0], "radius": -1.0}]}).flank(1.0)[0]
+    row = Pieces.model_validate(CHAIN | {"pieces": [{"to": [1.0, 0.0], "radius": -1.0}]}).flank(gear(1.0))[0]
     assert row == pytest.approx((0.0, 1.0, math.pi / 2, -1.0, math.pi / 2), abs=1e-14)
 
 
 def test_lines_and_arcs_scale_with_the_module() -> None:
     pieces = Pieces.model_validate(CHAIN | {"pieces": [QUARTER, {"to": [1.0, -1.5]}]})
-    assert pieces.flank(1.0)[1] == pytest.approx((1.0, 0.0, math.pi / 2, 0.0, 1.5), abs=1e-14)
+    assert pieces.flank(gear(1.0))[1] == pytest.approx((1.0, 0.0, math.pi / 2, 0.0, 1.5), abs=1e-14)
     scale = np.array([2.0, 2.0, 1.0, 0.5, 2.0])
-    assert pieces.flank(2.0) == pytest.approx(pieces.flank(1.0) * scale, abs=1e-14)
+    assert pieces.flank(gear(2.0)) == pytest.approx(pieces.flank(gear(1.0)) * scale, abs=1e-14)
 
 
 def test_each_row_ends_where_the_next_one_starts() -> None:
     """Ends computed from the centre: start - n / curvature + n_end / curvature."""
     chain = [QUARTER, {"to": [1.2, -0.7], "radius": -3.0, "corner": True}, {"to": [2.0, -1.5], "corner": True}]
-    rows = Pieces.model_validate(CHAIN | {"pieces": chain}).flank(0.8)
+    rows = Pieces.model_validate(CHAIN | {"pieces": chain}).flank(gear(0.8))
     for row, after in pairwise(rows):
         last = row[2] + row[3] * row[4]
         end = row[:2] + (np.array([np.sin(last), np.cos(last)]) - (np.sin(row[2]), np.cos(row[2]))) / row[3]

@@ -9,7 +9,7 @@ import pytest
 from numpy.typing import NDArray
 
 from strainwave.profiles import ArcLine, DoubleCircularArc
-from tests.designs import case
+from tests.designs import case, gear
 
 FLEXSPLINE = case().flexspline.profile
 CIRCULAR_SPLINE = case().circular_spline.profile
@@ -37,7 +37,7 @@ def test_the_article_s_thickness_at_the_blend_point() -> None:
 
 @pytest.mark.parametrize("profile", [FLEXSPLINE, CIRCULAR_SPLINE])
 def test_the_line_starts_at_the_blend_point_at_the_flank_angle(profile: ArcLine | DoubleCircularArc) -> None:
-    line = profile.flank(0.8)[1]
+    line = profile.flank(gear(0.8))[1]
     assert line[0] == pytest.approx(0.4 * profile.blend_thickness, abs=1e-14)
     towards_root = np.cos(line[2]), -np.sin(line[2])
     assert np.degrees(np.arctan2(towards_root[0], -towards_root[1])) == pytest.approx(profile.flank_angle, abs=1e-12)
@@ -45,14 +45,14 @@ def test_the_line_starts_at_the_blend_point_at_the_flank_angle(profile: ArcLine 
 
 @pytest.mark.parametrize("profile", [FLEXSPLINE, CIRCULAR_SPLINE])
 def test_every_join_is_tangent(profile: ArcLine | DoubleCircularArc) -> None:
-    rows = profile.flank(0.8)
+    rows = profile.flank(gear(0.8))
     for before, after in pairwise(rows):
         assert end_of(before) == pytest.approx(after[:3], abs=1e-9)
 
 
 def test_the_arcs_have_the_article_s_radii_and_sides() -> None:
     """In mm at module 0.8: convex 1.0802 m, line of 0.5 m, concave 2.0528 m; the tip arc's centre at (-0.3927, 0) m."""
-    tip, line, flank = FLEXSPLINE.flank(0.8)
+    tip, line, flank = FLEXSPLINE.flank(gear(0.8))
     assert (tip[3], line[3], flank[3]) == pytest.approx((1 / (1.0802 * 0.8), 0.0, -1 / (2.0528 * 0.8)))
     assert line[4] == pytest.approx(0.5 * 0.8)
     center = tip[:2] - np.array([np.sin(tip[2]), np.cos(tip[2])]) / tip[3]
@@ -61,4 +61,4 @@ def test_the_arcs_have_the_article_s_radii_and_sides() -> None:
 
 def test_lengths_scale_with_the_module() -> None:
     scale = np.array([3.0, 3.0, 1.0, 1.0 / 3.0, 3.0])
-    assert FLEXSPLINE.flank(2.4) == pytest.approx(FLEXSPLINE.flank(0.8) * scale, rel=1e-14)
+    assert FLEXSPLINE.flank(gear(2.4)) == pytest.approx(FLEXSPLINE.flank(gear(0.8)) * scale, rel=1e-14)

@@ -47,7 +47,7 @@ def evaluate_batch(
     the question itself is wrong.
     """
     names = metric.asked(metrics, in_motion)
-    _check_numbers(threshold_um, threads)
+    check_numbers(threshold_um, threads)
     chosen = parameters_of(design, _as_keys(parameters))
     table = _as_table(values, len(chosen))
     rows, status = _possible_rows(design, chosen, table)
@@ -108,7 +108,8 @@ def _as_table(values: ArrayLike, count: int) -> Floats:
     return table
 
 
-def _check_numbers(threshold_um: float, threads: int) -> None:
+def check_numbers(threshold_um: float, threads: int) -> None:
+    """StrainwaveError where the threshold is no positive length or the number of threads cannot be."""
     if not (math.isfinite(threshold_um) and threshold_um > 0.0):
         raise StrainwaveError(f"the threshold must be a positive number of micrometres, not {threshold_um:g}")
     if type(threads) is not int or not 0 <= threads <= GREATEST_THREADS:

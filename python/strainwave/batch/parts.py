@@ -8,6 +8,7 @@ from typing import Literal
 from strainwave._kernel import BatchCurves, BatchProfiles
 from strainwave.columns import NOTHING_VARIED, column
 from strainwave.design import Design, DesignRows
+from strainwave.profiles import Gear
 
 Spline = Literal["flexspline", "circular_spline"]
 
@@ -26,12 +27,12 @@ def _same(design: Design, spline: Spline) -> BatchProfiles:
 
 def _built(rows: DesignRows, spline: Spline) -> BatchProfiles:
     toothed, varied, module = getattr(rows.design, spline), rows.profile(spline), rows.module
-    spec = toothed.profile
+    spec, internal = toothed.profile, spline == "circular_spline"
     return BatchProfiles(
-        spec.flanks(module, varied),
+        spec.flanks(Gear(module, toothed.teeth, internal), varied),
         teeth=toothed.teeth,
         pitch_radius=0.5 * module * toothed.teeth,
-        internal=spline == "circular_spline",
+        internal=internal,
         addendum=column(varied, "addendum", spec.addendum) * module,
         dedendum=column(varied, "dedendum", spec.dedendum) * module,
         offset=column(varied, "offset", spec.offset),

@@ -36,7 +36,9 @@ class Design(Spec):
         except ValidationError as error:
             faults = faults_of(error, cls)
         faulty_keys = {fault.key for fault in faults}
-        raise DesignError([*faults, *rules.faults_between(tree, faulty_keys)], source)
+        # Where no table has a fault of its own, the faults found are those between the tables already.
+        between = [fault for fault in rules.faults_between(tree, faulty_keys) if fault.key not in faulty_keys]
+        raise DesignError([*faults, *between], source)
 
     def to_dict(self) -> dict[str, Any]:
         """The tree of tables that `from_dict` reads, defaults included; keys left out are left out."""

@@ -8,7 +8,8 @@ from functools import cached_property
 from strainwave.columns import Columns, Floats, Mask, Refusals, array, below, column
 from strainwave.design import rules
 from strainwave.design.design import Design
-from strainwave.profiles import Pieces
+from strainwave.profiles import Gear, Involute, Pieces
+from strainwave.profiles.involute import reaches
 from strainwave.wave_generators import DualDisk, Ellipse
 from strainwave.wave_generators.dual_disk import wrappable
 
@@ -22,6 +23,7 @@ REFUSALS = {
     "piece-impossible": "no line, or no arc of that radius and less than half a turn, leads to a piece's end",
     "join-not-tangent": "a join of pieces turns without being declared a corner",
     "chain-off-circle": "a chain of pieces does not begin on the addendum circle or end on the root circle",
+    "no-involute": "no involute leads from the tip circle to the root circle or its fillet",
     "shape-not-one": "w(0)/w0 is not 1",
 }
 
@@ -77,6 +79,8 @@ class DesignRows:
             if varied:
                 yield from getattr(self.design, spline).profile.refusals(varied)
                 yield from self._chain_ends(spline, varied)
+            if varied or "module" in self.varied:
+                yield from self._involute(spline, varied)
 
     def _rim(self) -> Refusals:
         flexspline = self.design.flexspline
@@ -101,6 +105,13 @@ class DesignRows:
         if isinstance(generator, Ellipse):
             cam_to_neutral = column(varied, "cam_to_neutral", generator.cam_to_neutral)
             yield "cam-too-large", cam_to_neutral >= self.neutral_radius_mm
+
+    def _involute(self, spline: str, varied: Columns) -> Refusals:
+        toothed, internal = getattr(self.design, spline), spline == "circular_spline"
+        profile = toothed.profile
+        if isinstance(profile, Involute):
+            tip_roll, root_roll = profile.roll_angles(Gear(self.module, toothed.teeth, internal), varied)
+            yield "no-involute", ~reaches(tip_roll, root_roll, internal=internal)
 
     def _chain_ends(self, spline: str, varied: Columns) -> Refusals:
         toothed = getattr(self.design, spline)

@@ -9,6 +9,7 @@ from collections.abc import Mapping
 from typing import Any, TypeVar
 
 from strainwave.columns import Floats, Numbers
+from strainwave.design.involute_rule import involute_faults
 from strainwave.design.keys import leaves
 from strainwave.elementwise import hypot
 from strainwave.errors import Fault
@@ -32,6 +33,8 @@ def faults_between(tree: Mapping[str, Any], faulty_keys: set[str]) -> list[Fault
         *_cam_to_neutral(known),
         *_chain_ends(known, "flexspline", internal=False),
         *_chain_ends(known, "circular_spline", internal=True),
+        *involute_faults(known, "flexspline", internal=False),
+        *involute_faults(known, "circular_spline", internal=True),
     ]
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Literal
 
 from strainwave.columns import Columns, Floats, column
+from strainwave.profiles.gear import Gear
 from strainwave.profiles.tip_arc import TipArcProfile, flanks_of
 
 
@@ -13,7 +14,7 @@ class ArcLine(TipArcProfile):
 
     kind: Literal["arc-line"] = "arc-line"
 
-    def flanks(self, module: Floats, varied: Columns) -> Floats:
+    def flanks(self, gear: Gear, varied: Columns) -> Floats:
         """The arc and the line, (rows, 2, 5); see `ToothProfile.flanks`."""
         whole_depth = column(varied, "addendum", self.addendum) + column(varied, "dedendum", self.dedendum)
-        return flanks_of(*self._tip_arc_and_line(module, varied, whole_depth))
+        return flanks_of(*self._tip_arc_and_line(gear.module, varied, whole_depth))

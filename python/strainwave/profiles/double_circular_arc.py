@@ -8,6 +8,7 @@ from pydantic import Field
 
 from strainwave.columns import Columns, Floats, column
 from strainwave.elementwise import cos, sin
+from strainwave.profiles.gear import Gear
 from strainwave.profiles.tip_arc import Segments, TipArcProfile, flanks_of
 from strainwave.quantities import LengthInModules
 
@@ -23,11 +24,11 @@ class DoubleCircularArc(TipArcProfile):
         LengthInModules, Field(description="Radius of the concave arc below the straight flank", examples=[2.0528])
     ]
 
-    def flanks(self, module: Floats, varied: Columns) -> Floats:
+    def flanks(self, gear: Gear, varied: Columns) -> Floats:
         """The tip arc, the line and the flank arc, (rows, 3, 5); see `ToothProfile.flanks`."""
         length = column(varied, "flank_length", self.flank_length)
-        tip_arc, line = self._tip_arc_and_line(module, varied, length)
-        radius = column(varied, "flank_arc_radius", self.flank_arc_radius) * module
+        tip_arc, line = self._tip_arc_and_line(gear.module, varied, length)
+        radius = column(varied, "flank_arc_radius", self.flank_arc_radius) * gear.module
         # Tangent to the line at its end; down to where the arc runs level, far beyond any root circle it can reach.
         flank_arc = Segments(
             line.x + line.length * cos(line.normal_angle),

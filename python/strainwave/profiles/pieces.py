@@ -11,6 +11,7 @@ from pydantic import Field, StrictBool, ValidationInfo, field_validator
 from strainwave.columns import NOTHING_VARIED, Columns, Floats, Mask, Refusals, array
 from strainwave.errors import Fault, FaultError
 from strainwave.profiles.chain import Chain
+from strainwave.profiles.gear import Gear
 from strainwave.profiles.tooth_profile import ToothProfile
 from strainwave.quantities import DEGREES, MODULES, CoordinateInModules, SignedRadius
 from strainwave.spec import Spec
@@ -65,9 +66,9 @@ class Pieces(ToothProfile):
                 raise FaultError(faults)
         return pieces
 
-    def flanks(self, module: Floats, varied: Columns) -> Floats:
+    def flanks(self, gear: Gear, varied: Columns) -> Floats:
         """One segment a piece, (rows, n, 5); see `ToothProfile.flanks`."""
-        return _chain(self.start, self.pieces, varied).flanks(module)
+        return _chain(self.start, self.pieces, varied).flanks(gear.module)
 
     def refusals(self, varied: Columns) -> Refusals:
         """Rows with a piece that cannot be, or a join that is not tangent; see `ToothProfile.refusals`."""

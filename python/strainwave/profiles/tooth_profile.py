@@ -5,10 +5,10 @@ from __future__ import annotations
 from abc import abstractmethod
 from typing import Annotated
 
-import numpy as np
 from pydantic import Field
 
 from strainwave.columns import NOTHING_VARIED, Columns, Floats, Refusals
+from strainwave.profiles.gear import Gear
 from strainwave.quantities import FilletRadius, LengthInModules, OffsetInMm
 from strainwave.spec import Spec
 
@@ -32,21 +32,21 @@ class ToothProfile(Spec):
         ),
     ] = 0.0
 
-    def flank(self, module: float) -> Floats:
-        """The nominal flank from tip to root, in mm, for a module in mm.
+    def flank(self, gear: Gear) -> Floats:
+        """The nominal flank from tip to root, in mm, on one gear.
 
         Returns (n, 5): x and y of a segment's start (mm), angle of its outward normal there, clockwise from y (rad),
         curvature (1/mm, > 0 convex), length (mm). Tip land, fillet and root floor are the kernel's, which also cuts or
         extends the first segment to the addendum circle and the last to the root circle or the fillet.
         """
-        flank: Floats = self.flanks(np.array([module]), NOTHING_VARIED)[0]
+        flank: Floats = self.flanks(gear, NOTHING_VARIED)[0]
         return flank
 
     @abstractmethod
-    def flanks(self, module: Floats, varied: Columns) -> Floats:
+    def flanks(self, gear: Gear, varied: Columns) -> Floats:
         """The flanks of the rows of a batch, (rows, n, 5) or, where all are the same, (1, n, 5); see `flank`.
 
-        `module` (mm) has the shape (rows,) or (1,). The columns lie within the limits of their keys.
+        The columns lie within the limits of their keys.
         """
 
     def refusals(self, varied: Columns) -> Refusals:
