@@ -1,8 +1,9 @@
 """Write every number, table, terminal output and picture of the README and the documentation.
 
 In README.md and docs/ a block between ``<!-- NAME:begin -->`` and ``<!-- NAME:end -->`` holds a table of that name,
-and in a ``console`` block each line that begins with ``$`` is run and followed by what it prints. Run this after a
-change in results; the tests fail where a document is behind.
+and in a ``console`` block each line that begins with ``$`` is run and followed by what it prints. A picture that these
+commands draw and the page shows is kept in docs/pictures. Run this after a change in results, with the names of some
+documents or for all of them; the tests fail where a document is behind.
 """
 
 from __future__ import annotations
@@ -23,8 +24,14 @@ from strainwave.cli.tables.number import fixed, general, whole
 from strainwave.plots import backlash_figure, case_study_figure, mesh_figure, picture_bytes
 
 ROOT = Path(__file__).parent.parent
+sys.path.insert(0, str(ROOT))  # run as a script, it stands beside its own kind
+
+from benchmarks import involute_claims  # noqa: E402
+from benchmarks.theory_figures import theory_figures  # noqa: E402
+
 PICTURES = ROOT / "docs" / "pictures"
-CONSOLE = re.compile(r"^```console\n(?P<body>.*?)^```$", re.MULTILINE | re.DOTALL)
+SHOWN = re.compile(r"!\[[^]]*\]\((?:[\w./-]*/)?pictures/(?P<name>[\w-]+\.png)\)")
+CONSOLE = re.compile(r"^(?P<sample><!-- sample -->\n)?```console\n(?P<body>.*?)^```$", re.MULTILINE | re.DOTALL)
 COLUMNS = "100"
 
 
@@ -33,14 +40,32 @@ def documents() -> list[Path]:
     return [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
 
 
-def refreshed(text: str, study: CaseStudy) -> str:
-    """A document with its tables computed and its commands run anew."""
+def refreshed(text: str, study: CaseStudy, drawn: Path, *, samples: bool = True) -> str:
+    """A document with its tables computed and its commands run anew; the pictures of these go to the folder `drawn`.
+
+    What stands below ``<!-- sample -->`` may be another on another machine, such as the end of a search that the last
+    bit of a number can turn. Without ``samples`` it is run, but text and pictures stay as they are.
+    """
     for name, table in TABLES.items():
         block = re.compile(rf"(<!-- {name}:begin -->\n).*?(<!-- {name}:end -->)", re.DOTALL)
         if block.search(text):
             text = block.sub(rf"\1\n{table(study)}\n\2", text)
     with example_folder() as folder:
-        return CONSOLE.sub(lambda found: f"```console\n{_console(found['body'], folder)}```", text)
+        kept: set[str] = set()
+
+        def anew(found: re.Match[str]) -> str:
+            before = {path.name for path in folder.iterdir()}
+            body = _console(found["body"], folder)
+            if not found["sample"] or samples:
+                return f"{found['sample'] or ''}```console\n{body}```"
+            kept.update({path.name for path in folder.iterdir()} - before)
+            return found[0]
+
+        text = CONSOLE.sub(anew, text)
+        for name in set(SHOWN.findall(text)) - kept:
+            if (folder / name).is_file():
+                shutil.copy(folder / name, drawn)
+    return text
 
 
 @contextmanager
@@ -69,7 +94,12 @@ def run(command: str, folder: Path) -> subprocess.CompletedProcess[str]:
 def pictures(study: CaseStudy) -> dict[str, bytes]:
     """The pictures by file name; each says in its metadata which figures it shows."""
     cosine = study.result("cosine", "calibrated").analysis
-    figures = {"case-study": case_study_figure(study), "backlash": backlash_figure(cosine), "mesh": mesh_figure(cosine)}
+    figures = {
+        "case-study": case_study_figure(study),
+        "backlash": backlash_figure(cosine),
+        "mesh": mesh_figure(cosine),
+        **theory_figures(cosine.design),
+    }
     return {
         f"{name}.png": picture_bytes(figure, "png", description=description(name, study))
         for name, figure in figures.items()
@@ -156,6 +186,8 @@ TABLES: dict[str, Callable[[CaseStudy], str]] = {
     "case-study": comparison_table,
     "neutral-curves": neutral_curve_table,
     "inferred": inferred_table,
+    "involute-tuned": involute_claims.tuned_table,
+    "involute-common": involute_claims.common_table,
 }
 
 
@@ -173,9 +205,10 @@ def main() -> None:
     PICTURES.mkdir(parents=True, exist_ok=True)
     for name, content in pictures(study).items():
         (PICTURES / name).write_bytes(content)
-    for document in documents():
+    asked = [Path(name).resolve() for name in sys.argv[1:]]
+    for document in asked or documents():
         text = document.read_text(encoding="utf-8")
-        document.write_text(refreshed(text, study), encoding="utf-8")
+        document.write_text(refreshed(text, study, PICTURES), encoding="utf-8")
         print(f"  {document.relative_to(ROOT)}")
 
 

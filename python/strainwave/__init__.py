@@ -14,6 +14,8 @@ if TYPE_CHECKING:
     from strainwave.analysis import analyze as analyze
     from strainwave.batch import Batch as Batch
     from strainwave.batch import evaluate_batch as evaluate_batch
+    from strainwave.conjugation import Conjugate as Conjugate
+    from strainwave.conjugation import conjugate as conjugate
     from strainwave.design import Design as Design
     from strainwave.design import dumps as dumps
     from strainwave.design import load as load
@@ -22,7 +24,27 @@ if TYPE_CHECKING:
     from strainwave.errors import DesignError as DesignError
     from strainwave.errors import Fault as Fault
     from strainwave.errors import StrainwaveError as StrainwaveError
+    from strainwave.fitting import ArcSpline as ArcSpline
+    from strainwave.fitting import fit_curve as fit_curve
+    from strainwave.fitting import fit_points as fit_points
     from strainwave.geometry import Geometry as Geometry
+    from strainwave.imports import ImportedFlank as ImportedFlank
+    from strainwave.imports import ImportHints as ImportHints
+    from strainwave.imports import import_flank as import_flank
+    from strainwave.studies import analyze_tolerance as analyze_tolerance
+    from strainwave.studies import compare as compare
+    from strainwave.studies import optimize as optimize
+    from strainwave.studies import propose as propose
+    from strainwave.studies import sweep as sweep
+    from strainwave.studies import tune as tune
+    from strainwave.studies.comparison import Comparison as Comparison
+    from strainwave.studies.optimization import Optimization as Optimization
+    from strainwave.studies.sweeping import Sweep as Sweep
+    from strainwave.studies.tolerance import ToleranceAnalysis as ToleranceAnalysis
+    from strainwave.studies.tolerance import Tolerances as Tolerances
+    from strainwave.studies.tolerance import load_tolerances as load_tolerances
+    from strainwave.studies.tuning import Tuning as Tuning
+    from strainwave.studies.wizard import Proposal as Proposal
 
     __version__: str
 
@@ -34,6 +56,8 @@ _HOME_OF = {
     "analyze": "strainwave.analysis",
     "Batch": "strainwave.batch",
     "evaluate_batch": "strainwave.batch",
+    "Conjugate": "strainwave.conjugation",
+    "conjugate": "strainwave.conjugation",
     "Design": "strainwave.design",
     "dumps": "strainwave.design",
     "load": "strainwave.design",
@@ -42,24 +66,66 @@ _HOME_OF = {
     "DesignError": "strainwave.errors",
     "Fault": "strainwave.errors",
     "StrainwaveError": "strainwave.errors",
+    "ArcSpline": "strainwave.fitting",
+    "fit_curve": "strainwave.fitting",
+    "fit_points": "strainwave.fitting",
     "Geometry": "strainwave.geometry",
+    "ImportHints": "strainwave.imports",
+    "ImportedFlank": "strainwave.imports",
+    "import_flank": "strainwave.imports",
+    "Comparison": "strainwave.studies.comparison",
+    "compare": "strainwave.studies.comparison",
+    "Optimization": "strainwave.studies.optimization",
+    "optimize": "strainwave.studies.optimization",
+    "Sweep": "strainwave.studies.sweeping",
+    "sweep": "strainwave.studies.sweeping",
+    "ToleranceAnalysis": "strainwave.studies.tolerance",
+    "Tolerances": "strainwave.studies.tolerance",
+    "analyze_tolerance": "strainwave.studies.tolerance",
+    "load_tolerances": "strainwave.studies.tolerance",
+    "Tuning": "strainwave.studies.tuning",
+    "tune": "strainwave.studies.tuning",
+    "Proposal": "strainwave.studies.wizard",
+    "propose": "strainwave.studies.wizard",
 }
 
 __all__ = [
     "Analysis",
+    "ArcSpline",
     "Batch",
+    "Comparison",
+    "Conjugate",
     "Design",
     "DesignError",
     "Fault",
     "GapCurve",
     "Geometry",
+    "ImportHints",
+    "ImportedFlank",
+    "Optimization",
+    "Proposal",
     "StrainwaveError",
+    "Sweep",
+    "ToleranceAnalysis",
+    "Tolerances",
+    "Tuning",
     "analyze",
+    "analyze_tolerance",
+    "compare",
+    "conjugate",
     "dumps",
     "evaluate_batch",
+    "fit_curve",
+    "fit_points",
+    "import_flank",
     "load",
+    "load_tolerances",
     "loads",
+    "optimize",
+    "propose",
     "save",
+    "sweep",
+    "tune",
 ]
 
 

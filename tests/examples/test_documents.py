@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
+import strainwave
 from benchmarks.documents import PICTURES, ROOT, description, documents, example_folder, pictures, refreshed
 from strainwave.analysis import analyze
 from strainwave.analysis.case_study import CaseStudy
@@ -33,9 +34,11 @@ def read(name: str) -> str:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_a_document_is_up_to_date(name: str, study: CaseStudy) -> None:
-    """Otherwise: python benchmarks/documents.py."""
-    assert read(name) == refreshed(read(name), study)
+def test_a_document_is_up_to_date(name: str, study: CaseStudy, tmp_path: Path) -> None:
+    """Otherwise: python benchmarks/documents.py, with the document's name or for all."""
+    assert read(name) == refreshed(read(name), study, tmp_path, samples=False)
+    for drawn in tmp_path.iterdir():
+        assert_looks_the_same(PICTURES / drawn.name, drawn.read_bytes())
 
 
 @pytest.mark.parametrize("name", [name for name in NAMES if PYTHON.search(read(name))])
@@ -85,10 +88,13 @@ def test_a_picture_is_up_to_date(name: str, study: CaseStudy) -> None:
 def test_the_pictures_look_as_drawn_today(study: CaseStudy) -> None:
     """But for fonts, which differ a little between versions of matplotlib."""
     for name, content in pictures(study).items():
-        drawn = np.asarray(matplotlib.image.imread(io.BytesIO(content)))
-        kept = np.asarray(matplotlib.image.imread(PICTURES / name))
-        assert drawn.shape == kept.shape, name
-        assert float((np.abs(drawn - kept).max(axis=-1) > 0.2).mean()) < 0.02, name
+        assert_looks_the_same(PICTURES / name, content)
+
+
+def assert_looks_the_same(kept: Path, content: bytes) -> None:
+    drawn, before = (np.asarray(matplotlib.image.imread(picture)) for picture in (io.BytesIO(content), kept))
+    assert drawn.shape == before.shape, kept.name
+    assert float((np.abs(drawn - before).max(axis=-1) > 0.2).mean()) < 0.02, kept.name
 
 
 def test_the_json_keys_are_all_documented() -> None:
@@ -103,6 +109,12 @@ def test_the_keys_of_a_design_file_are_all_documented() -> None:
     for table in [json_schema(), *json_schema()["$defs"].values()]:
         for key in table.get("properties", {}):
             assert re.search(rf"\b{key}\b", page), key
+
+
+def test_the_reference_lists_every_public_name() -> None:
+    listed = re.findall(r"^::: (?P<name>[\w.]+)$", read("docs/reference.md"), re.MULTILINE)
+    public = [getattr(strainwave, name) for name in strainwave.__all__]
+    assert sorted(listed) == sorted(f"{value.__module__}.{value.__name__}" for value in public)
 
 
 def test_the_architecture_names_every_package_and_kernel_file() -> None:

@@ -8,7 +8,14 @@ import typer
 
 from strainwave.cli.analyze import analyze
 from strainwave.cli.case_study import case_study
+from strainwave.cli.compare import compare
+from strainwave.cli.conjugate import conjugate
+from strainwave.cli.fit import fit
 from strainwave.cli.new import new
+from strainwave.cli.optimize import optimize
+from strainwave.cli.sweep import sweep
+from strainwave.cli.tolerance import tolerance
+from strainwave.cli.tune import tune
 from strainwave.cli.validate import validate
 
 app = typer.Typer(
@@ -49,3 +56,16 @@ app.command(epilog=_example("strainwave new --out my-gear.toml"))(new)
 app.command(epilog=_example("strainwave validate my-gear.toml"))(validate)
 app.command(epilog=_example("strainwave analyze my-gear.toml --check --plot backlash.png"))(analyze)
 app.command(name="case-study", epilog=_example("strainwave case-study --plot case-study.png"))(case_study)
+app.command(epilog=_example("strainwave compare my-gear.toml --with four-roller --with dual-disk --plot compared.png"))(
+    compare
+)
+app.command(epilog=_example("strainwave sweep my-gear.toml --vary wave_generator.w0=0.84:0.91:71 --plot sweep.png"))(
+    sweep
+)
+app.command(epilog=_example("strainwave tune my-gear.toml --plot windows.png --goal power --out tuned.toml"))(tune)
+app.command(epilog=_example("strainwave optimize my-gear.toml --vary wave_generator.w0=0.80:0.90 --out optimized/"))(
+    optimize
+)
+app.command(epilog=_example("strainwave conjugate my-gear.toml --out conjugate.toml --plot conjugate.png"))(conjugate)
+app.command(epilog=_example("strainwave fit tooth.dxf --design my-gear.toml --spline flexspline --out drawn.toml"))(fit)
+app.command(epilog=_example("strainwave tolerance my-gear.toml tolerances.toml --plot scatter.png"))(tolerance)
