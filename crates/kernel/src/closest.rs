@@ -88,16 +88,13 @@ impl<'a> Search<'a> {
         // the only witness of a contact.
         if gap >= -(a.tolerance + b.tolerance) && gap < limit {
             self.found = Closest::Apart { gap: gap.max(0.0), contact: CommonNormal::between(a, b, normal_from(a, b)) };
-        } else if apart == f64::NEG_INFINITY {
+        } else if gap == f64::NEG_INFINITY {
             self.concentric(a, b, limit);
         }
     }
 
     /// Arcs about one centre are equally far apart wherever they face each other: surely at an end of one of them.
     fn concentric(&mut self, a: &Feature, b: &Feature, mut limit: f64) {
-        if a.form != Form::Arc || b.form != Form::Arc {
-            return;
-        }
         let sum = a.radius + b.radius;
         for normal in a.normals.into_iter().chain(b.normals.map(|n| -n)) {
             let gap = (b.center - a.center).dot(normal) - sum;

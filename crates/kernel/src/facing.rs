@@ -25,7 +25,7 @@ pub struct Posed<'a, S: Simd> {
 #[derive(Clone, Copy, Debug)]
 pub struct Facing<S: Simd> {
     /// Signed distance along the common normal (mm): negative where the features have passed each other; infinite
-    /// where none lies on both.
+    /// where none lies on both; −∞ for concentric arcs, of which every normal may be common.
     pub gap: Lanes<S>,
     /// The lines or circles that carry the features are this far apart; where it is not positive they meet. −∞ where
     /// nothing is known.
@@ -133,15 +133,15 @@ fn arc_arc<S: Simd>(a: &Posed<'_, S>, b: &Posed<'_, S>) -> Facing<S> {
     let distance = between.norm();
     let apart = (distance - a.all(r.abs() + s.abs())).max(a.all((r.abs() - s.abs()).abs()) - distance);
     let concentric = distance.at_most(a.all(CONCENTRIC));
-    let apart = concentric.select(a.all(f64::NEG_INFINITY), apart);
+    let unknown = a.all(f64::NEG_INFINITY);
     if !is_shortest {
-        return Facing { gap: a.all(f64::INFINITY), apart };
+        return Facing { gap: concentric.select(unknown, a.all(f64::INFINITY)), apart };
     }
     let towards_b = if r.signum() == side { between } else { -between };
     let towards_a = if s.signum() == side { -between } else { between };
     let faces = a.holds(towards_b, tolerance) & b.holds(towards_a, tolerance);
     let gap = faces.select(a.all(side) * distance - a.all(sum), a.all(f64::INFINITY));
-    Facing { gap: concentric.select(a.all(f64::INFINITY), gap), apart }
+    Facing { gap: concentric.select(unknown, gap), apart }
 }
 
 #[inline(always)]

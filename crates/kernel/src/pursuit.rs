@@ -20,7 +20,7 @@ use crate::intersection;
 use crate::lanes::{Lanes, Poses, WIDEST};
 use crate::pose::Pose;
 
-/// Keys are lowered by this much (mm), far more than rounding adds up to.
+/// Keys are lowered by this share of the tooth pitch and of the way travelled, far more than rounding adds up to.
 const ROUNDING: f64 = 1e-12;
 
 /// The pursuit of a tooth's gap.
@@ -192,12 +192,16 @@ impl<S: Simd> Ways<S> {
 #[inline(always)]
 fn closest<S: Simd>(pursuit: &mut Pursuit, poses: &Poses<S>, ways: &Ways<S>) -> Lanes<S> {
     let simd = poses.simd();
+    // No feature has come farther than this.
+    let far = ways.of(simd, pursuit.farthest);
+    let rounding = ROUNDING * (pursuit.engagement.motion().pitch + far.greatest());
     let (tooth, space) = (pursuit.engagement.tooth().features(), pursuit.engagement.space().features());
     // A gap grows no faster than its tooth moves.
     let (gap, arrived) = pursuit.arrived;
-    let ceiling = gap.max(0.0) - arrived.of(pursuit.reach) + ROUNDING;
+    let ceiling = gap.max(0.0) - arrived.of(pursuit.reach) + rounding;
     let mut group = Group {
         simd,
+        rounding,
         gaps: Lanes::all(simd, f64::INFINITY),
         ceilings: ways.of(simd, pursuit.reach) + Lanes::all(simd, ceiling),
     };
@@ -214,8 +218,6 @@ fn closest<S: Simd>(pursuit: &mut Pursuit, poses: &Poses<S>, ways: &Ways<S>) -> 
     }
     let first = poses.first();
 
-    // No feature has come farther than this.
-    let far = ways.of(simd, pursuit.farthest);
     let mut within_far = group.within(far);
     for (number, row) in pursuit.rows.iter_mut().enumerate() {
         if row.key >= within_far {
@@ -226,7 +228,7 @@ fn closest<S: Simd>(pursuit: &mut Pursuit, poses: &Poses<S>, ways: &Ways<S>) -> 
         if row.key >= within {
             continue;
         }
-        let travelled = way.least() - ROUNDING;
+        let travelled = way.least() - rounding;
         let feature = &tooth[row.feature];
         let bound = feature.bound.posed(first);
         let other = &pursuit.engagement.teeth_of_space()[row.other];
@@ -265,6 +267,8 @@ fn closest<S: Simd>(pursuit: &mut Pursuit, poses: &Poses<S>, ways: &Ways<S>) -> 
 /// The gaps found so far at a group of poses.
 struct Group<S: Simd> {
     simd: S,
+    /// What keys are lowered by (mm).
+    rounding: f64,
     gaps: Lanes<S>,
     /// What the gaps do not exceed.
     ceilings: Lanes<S>,
@@ -295,10 +299,10 @@ impl<S: Simd> Group<S> {
         // An end is not a contact of its own: it has pieces on both sides.
         let has_end = a.feature.kind == Kind::End || b.kind == Kind::End;
         let gap = touching.select(if has_end { Lanes::all(simd, f64::INFINITY) } else { never }, found.gap);
-        let gaps = self.gaps.min(apart.at_most(never).select(never, gap));
+        let gaps = self.gaps.min(gap);
         let is_closest = (gaps - self.gaps).least() < 0.0;
         self.gaps = gaps;
-        (((apart.max(Lanes::all(simd, 0.0))) + way).least() - ROUNDING, is_closest)
+        (((apart.max(Lanes::all(simd, 0.0))) + way).least() - self.rounding, is_closest)
     }
 
     /// Marks the poses at which two pieces cross, of those at which they may.
