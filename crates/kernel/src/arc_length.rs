@@ -6,7 +6,11 @@
 use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
 
+use pulp::{Scalar, Simd};
+
+use crate::lanes::{Lanes, WIDEST, filled};
 use crate::point::Point;
+use crate::points::Points;
 
 /// Outer node, inner and outer weight of the 3-point Gauss-Legendre rule (Abramowitz and Stegun, table 25.4).
 const NODE: f64 = 0.774_596_669_241_483_4;
@@ -25,8 +29,8 @@ const QUINTIC: f64 = 1e-7;
 pub struct Panels {
     /// Ends of the panels, from 0 to π/2.
     pub ends: Vec<f64>,
-    /// The directions at these angles.
-    pub directions: Vec<Point>,
+    /// The directions at these angles, x and y in columns that fill whole registers.
+    pub directions: [Vec<f64>; 2],
     /// The nodes of the rule, panel after panel.
     pub nodes: Vec<f64>,
     /// The middle of each panel, as a parameter and as the direction at that angle.
@@ -47,21 +51,25 @@ impl Panels {
         }
         let nodes = ends.windows(2).flat_map(|pair| nodes(pair[0], pair[1])).collect();
         let middles = ends.windows(2).map(|pair| 0.5 * (pair[0] + pair[1])).map(|t| (t, Point::at_angle(t))).collect();
-        let directions = ends.iter().map(|&t| Point::at_angle(t)).collect();
+        let directions: Vec<Point> = ends.iter().map(|&t| Point::at_angle(t)).collect();
+        let directions = [filled(directions.iter().map(|d| d.x)), filled(directions.iter().map(|d| d.y))];
         Self { ends, directions, nodes, middles }
     }
+}
 
-    /// The direction at the angle `t`, which lies in the given panel: a small turn away from that of the middle.
-    #[inline]
-    fn direction(&self, panel: usize, t: f64) -> Point {
-        let (middle, direction) = self.middles[panel];
-        let turn = t - middle;
-        let square = turn * turn;
-        // Taylor's series: a panel's half is at most 0.0123 wide, and the first term left out below rounding.
-        let sin = turn * (1.0 - square / 6.0 * (1.0 - square / 20.0 * (1.0 - square / 42.0)));
-        let cos = 1.0 - square / 2.0 * (1.0 - square / 12.0 * (1.0 - square / 30.0));
-        direction * cos + direction.clockwise() * sin
-    }
+/// The direction at the angle `t`, by a small turn away from that at the middle of the panel.
+#[inline(always)]
+fn turned<S: Simd>(middle: Lanes<S>, direction: Points<S>, t: Lanes<S>) -> Points<S> {
+    let all = |value| Lanes::all(t.simd(), value);
+    let turn = t - middle;
+    let square = turn * turn;
+    // Taylor's series: a panel's half is at most 0.0123 wide, and the first term left out below rounding.
+    let [sixth, twentieth, forty_second] = [6.0, 20.0, 42.0].map(|n: f64| square * all(1.0 / n));
+    let [half, twelfth, thirtieth] = [2.0, 12.0, 30.0].map(|n: f64| square * all(1.0 / n));
+    let one = all(1.0);
+    let sin = turn * (one - sixth * (one - twentieth * (one - forty_second)));
+    let cos = one - half * (one - twelfth * (one - thirtieth));
+    direction * cos + direction.clockwise() * sin
 }
 
 fn nodes(from: f64, to: f64) -> [f64; NODES] {
@@ -74,15 +82,14 @@ fn weighted(values: [f64; NODES], width: f64) -> f64 {
 }
 
 /// The quadrant of a curve from its speeds at all nodes.
-pub fn quadrant(panels: &Panels, speeds_at_nodes: impl Iterator<Item = f64>) -> f64 {
+pub fn quadrant(panels: &Panels, speeds_at_nodes: &[f64]) -> f64 {
     accumulate(panels, speeds_at_nodes, |_| {})
 }
 
-fn accumulate(panels: &Panels, mut speeds: impl Iterator<Item = f64>, mut each: impl FnMut(f64)) -> f64 {
+fn accumulate(panels: &Panels, speeds: &[f64], mut each: impl FnMut(f64)) -> f64 {
     let mut total = 0.0;
-    for pair in panels.ends.windows(2) {
-        let values = [(); NODES].map(|()| speeds.next().unwrap_or(f64::NAN));
-        total += weighted(values, pair[1] - pair[0]);
+    for (pair, values) in panels.ends.windows(2).zip(speeds.chunks_exact(NODES)) {
+        total += weighted([values[0], values[1], values[2]], pair[1] - pair[0]);
         each(total);
     }
     total
@@ -94,33 +101,33 @@ pub struct ArcLength {
     panels: Arc<Panels>,
     lengths: Vec<f64>,
     /// Speed (length per parameter) and its derivative at the ends.
-    speeds: Vec<[f64; 2]>,
+    speeds: [Vec<f64>; 2],
 }
 
-/// A parameter with the direction at that angle.
+/// Parameters with the directions at these angles.
 #[derive(Clone, Copy, Debug)]
-pub struct Station {
-    pub t: f64,
-    pub direction: Point,
+pub struct Stations<S: Simd> {
+    pub t: Lanes<S>,
+    pub direction: Points<S>,
 }
 
-impl Station {
+impl Stations<Scalar> {
     pub fn at(t: f64) -> Self {
-        Self { t, direction: Point::at_angle(t) }
+        Self::new(t, Point::at_angle(t))
+    }
+
+    pub fn new(t: f64, direction: Point) -> Self {
+        Self { t: Lanes::all(Scalar, t), direction: Points::all(Scalar, direction) }
     }
 }
 
 impl ArcLength {
     /// From the speeds at the panels' nodes, and those with their derivatives at the ends.
-    pub fn new(
-        panels: Arc<Panels>,
-        speeds_at_nodes: impl Iterator<Item = f64>,
-        speeds_at_ends: impl Iterator<Item = [f64; 2]>,
-    ) -> Self {
+    pub fn new(panels: Arc<Panels>, speeds_at_nodes: &[f64], speeds_at_ends: [Vec<f64>; 2]) -> Self {
         let mut lengths = Vec::with_capacity(panels.ends.len());
         lengths.push(0.0);
         accumulate(&panels, speeds_at_nodes, |length| lengths.push(length));
-        Self { lengths, speeds: speeds_at_ends.collect(), panels }
+        Self { lengths, speeds: speeds_at_ends, panels }
     }
 
     pub fn panels(&self) -> &Panels {
@@ -139,40 +146,86 @@ impl ArcLength {
         self.lengths[panel] + integral(speed, ends[panel], t)
     }
 
-    /// Where the arc length is `s`, 0 ≤ s ≤ quadrant.
-    pub fn inverse(&self, speed: impl Fn(f64) -> f64, s: f64) -> Station {
-        let panel = self.panel_at(s);
-        let (low, high) = (self.panels.ends[panel], self.panels.ends[panel + 1]);
-        let (from, to) = (self.lengths[panel], self.lengths[panel + 1]);
-        let ([v0, a0], [v1, a1]) = (self.speeds[panel], self.speeds[panel + 1]);
+    /// Where the arc lengths are `lengths`, each within 0 … quadrant.
+    #[inline(always)]
+    pub fn inverse<S: Simd>(&self, simd: S, speed: impl Fn(f64) -> f64, lengths: &[f64; WIDEST]) -> Stations<S> {
+        let mut panels = [0; WIDEST];
+        for (panel, &length) in panels.iter_mut().zip(&lengths[..S::F64_LANES]) {
+            *panel = self.panel_at(length);
+        }
+        let row = |l: usize| {
+            let panel = panels[l];
+            let (middle, direction) = self.panels.middles[panel];
+            let [ends, lengths, speeds, slopes] =
+                [&self.panels.ends, &self.lengths, &self.speeds[0], &self.speeds[1]].map(|c| &c[panel..panel + 2]);
+            [
+                ends[0],
+                ends[1],
+                lengths[0],
+                lengths[1],
+                speeds[0],
+                slopes[0],
+                speeds[1],
+                slopes[1],
+                middle,
+                direction.x,
+                direction.y,
+            ]
+        };
+        let [low, high, from, to, v0, a0, v1, a1, middle, x, y] = Lanes::columns(simd, row);
+        let [one, two, three, half] = [1.0, 2.0, 3.0, 0.5].map(|value| Lanes::all(simd, value));
         // Hermite's cubic t(s) through both ends with slopes 1/speed, and his quintic that keeps t″ = −speed′/speed³ too.
-        let (width, share) = (to - from, (s - from) / (to - from));
-        let rest = 1.0 - share;
+        let width = to - from;
+        let share = (Lanes::load(simd, lengths) - from) / width;
+        let rest = one - share;
         let both = share * rest;
         let (d0, d1) = (width / v0, width / v1);
-        let cubic = rest * rest * (1.0 + 2.0 * share) * low
-            + share * share * (1.0 + 2.0 * rest) * high
+        let cubic = rest * rest * (one + two * share) * low
+            + share * share * (one + two * rest) * high
             + both * (rest * d0 - share * d1);
         let rise = high - low;
         let (b0, b1) = (-a0 * d0 * d0 * d0 / width, -a1 * d1 * d1 * d1 / width);
-        let lift = 0.5 * (rest * b0 + share * b1)
-            - (rest * (3.0 * rise - 2.0 * d0 - d1) - share * (3.0 * rise - d0 - 2.0 * d1));
+        let lift = half * (rest * b0 + share * b1)
+            - (rest * (three * rise - two * d0 - d1) - share * (three * rise - d0 - two * d1));
         let correction = both * both * lift;
         let mut t = cubic + correction;
-        if correction.abs() > QUINTIC * rise {
+        let excess = correction.abs() - Lanes::all(simd, QUINTIC) * rise;
+        if excess.greatest() > 0.0 {
+            t = self.refined(t, excess, speed, lengths, &panels);
+        }
+        Stations { t, direction: turned(middle, Points { x, y }, t) }
+    }
+
+    /// The parameters by Newton's steps where the quintic is not exact enough.
+    #[cold]
+    fn refined<S: Simd>(
+        &self,
+        t: Lanes<S>,
+        excess: Lanes<S>,
+        speed: impl Fn(f64) -> f64,
+        lengths: &[f64; WIDEST],
+        panels: &[usize; WIDEST],
+    ) -> Lanes<S> {
+        let (mut refined, excess) = (t.to_array(), excess.to_array());
+        for l in (0..S::F64_LANES).filter(|&l| excess[l] > 0.0) {
+            let (panel, t) = (panels[l], &mut refined[l]);
+            let (low, high) = (self.panels.ends[panel], self.panels.ends[panel + 1]);
+            let within = lengths[l] - self.lengths[panel];
+            let share = within / (self.lengths[panel + 1] - self.lengths[panel]);
+            let (v0, v1) = (self.speeds[0][panel], self.speeds[0][panel + 1]);
             for _ in 0..20 {
-                let step = (s - from - integral(&speed, low, t)) / (v0 + (v1 - v0) * share);
-                t = (t + step).clamp(low, high);
-                if step.abs() <= 1e-8 * rise {
+                let step = (within - integral(&speed, low, *t)) / (v0 + (v1 - v0) * share);
+                *t = (*t + step).clamp(low, high);
+                if step.abs() <= 1e-8 * (high - low) {
                     break;
                 }
             }
         }
-        Station { t, direction: self.panels.direction(panel, t) }
+        Lanes::load(t.simd(), &refined)
     }
 
     /// The panel that holds the arc length `s`.
-    #[inline]
+    #[inline(always)]
     fn panel_at(&self, s: f64) -> usize {
         let last = self.lengths.len() - 2;
         // Near a circle the arc length grows evenly.

@@ -12,15 +12,23 @@ use rayon::prelude::*;
 use crate::body::Body;
 use crate::engagement::Engagement;
 use crate::error::GeometryError;
+use crate::gap_curve::{BOTH_FLANKS, GapCurve};
 use crate::gear::Gear;
 use crate::motion::MotionMinimum;
 use crate::neutral_curve::{NeutralCurve, NeutralCurveModel};
 use crate::profile::Profile;
 use crate::ring_shape::SampledShape;
 use crate::segment::Segment;
+use crate::vicinity::Vicinity;
 
 /// Fewer rows are not worth a thread.
 const FEW_ROWS: usize = 8;
+
+/// Rows that are alike are evaluated together, at most so many.
+const MOST_ALIKE: usize = 128;
+
+/// Rows differ in how long they take: every thread gets its share in so many parts at least.
+const CELLS_PER_THREAD: usize = 4;
 
 /// What [`Profile::new`] needs.
 #[derive(Clone, Debug)]
@@ -106,19 +114,43 @@ impl Batch {
         let circular_spline = shared(&self.circular_splines, |spec| spec.build().map(Body::circular_spline));
         let curve = shared(&self.curves, CurveSpec::build);
         let row = |row: usize| {
-            let engagement = Engagement::of(
+            Engagement::of(
                 part(&flexspline, &self.flexsplines, row, |spec| spec.build().map(Body::flexspline))?,
                 part(&circular_spline, &self.circular_splines, row, |spec| spec.build().map(Body::circular_spline))?,
                 part(&curve, &self.curves, row, CurveSpec::build)?,
-            )?;
-            Ok(engagement.metrics(question))
+            )
         };
-        let answer = |index| if cancelled.load(Ordering::Relaxed) { None } else { Some(row(index)) };
         if self.is_small() {
-            return (0..self.rows).map(answer).collect();
+            return (0..self.rows).map(|index| unless(cancelled, || Ok(row(index)?.metrics(question)))).collect();
         }
-        (0..self.rows).into_par_iter().with_min_len(FEW_ROWS).map(answer).collect()
+        let cell = |rows: &mut [usize]| {
+            let engagements: Vec<_> = rows.iter().map(|&index| row(index)).collect();
+            let mut built = engagements.iter().flatten();
+            let mut vicinity =
+                built.clone().nth(built.clone().count() / 2).map(|center| Vicinity::new(center, &mut built));
+            let answer = |engagement: &Result<Engagement, GeometryError>| {
+                let (engagement, vicinity) = (engagement.as_ref().map_err(Clone::clone)?, vicinity.as_mut());
+                let mut curve = match vicinity {
+                    Some(vicinity) => GapCurve::beside(vicinity, engagement),
+                    None => GapCurve::new(engagement, &BOTH_FLANKS, 0.0),
+                };
+                Ok(engagement.answers(&mut curve, question))
+            };
+            let mut answer = answer;
+            engagements.iter().map(|engagement| unless(cancelled, || answer(engagement))).collect::<Option<Vec<_>>>()
+        };
+        let mut order: Vec<usize> = (0..self.rows).collect();
+        let size = (self.rows / (CELLS_PER_THREAD * rayon::current_num_threads())).clamp(FEW_ROWS, MOST_ALIKE);
+        let answers: Option<Vec<_>> = self.cells(&mut order, size).into_par_iter().map(cell).collect();
+        let mut sorted: Vec<_> = order.into_iter().zip(answers?.into_iter().flatten()).collect();
+        sorted.sort_unstable_by_key(|(row, _)| *row);
+        Some(sorted.into_iter().map(|(_, answer)| answer).collect())
     }
+}
+
+/// The answer, unless it is not wanted any more.
+fn unless<T>(cancelled: &AtomicBool, answer: impl FnOnce() -> T) -> Option<T> {
+    if cancelled.load(Ordering::Relaxed) { None } else { Some(answer()) }
 }
 
 type Shared<T> = Option<Result<Arc<T>, GeometryError>>;
@@ -165,17 +197,22 @@ impl CurveSpec {
 impl Engagement {
     /// The answers for one design.
     pub fn metrics(&self, question: &Question) -> Metrics {
+        self.answers(&mut GapCurve::new(self, &BOTH_FLANKS, 0.0), question)
+    }
+
+    /// The same from the gap curve of both flanks.
+    fn answers(&self, curve: &mut GapCurve, question: &Question) -> Metrics {
         let (teeth, in_motion) = match question.in_motion {
             Some(tolerance) => {
-                let (teeth, minimum) = self.distribution_and_minimum(tolerance);
+                let (teeth, minimum) = curve.distribution_and_minimum(tolerance);
                 (teeth, Some(minimum))
             }
-            None => (self.distribution(), None),
+            None => (curve.distribution(), None),
         };
         let least = teeth.iter().copied().fold(teeth[0], |least, tooth| if tooth.1 < least.1 { tooth } else { least });
         let (mut teeth_below, mut interfering, mut first_interfering) = (0, 0, None);
         // The second lobe of an odd number of teeth has half indices: counts are of the first.
-        for &(k, gap) in teeth.iter().filter(|(k, _)| k.fract() == 0.0) {
+        for &(k, gap) in teeth.iter().filter(|(k, _)| *k == f64::from(*k as u32)) {
             if k > 0.0 && (0.0..question.threshold).contains(&gap) {
                 teeth_below += 1;
             }

@@ -2,11 +2,12 @@
 
 use std::ops::Range;
 
+use crate::deviation::Deviation;
 use crate::engagement::Flank;
 use crate::feature::Feature;
-use crate::lanes::Circles;
 use crate::outline::{BoundingCircle, Outline, TEETH};
 use crate::point::Point;
+use crate::points::Circles;
 use crate::profile::{Profile, Role};
 use crate::ties::ConvexCorner;
 
@@ -80,6 +81,18 @@ impl Body {
     /// Where the outline turns sharply inward.
     pub fn reflex_corners(&self) -> &[Point] {
         &self.reflex_corners
+    }
+
+    /// How far the features deviate from another body's; infinitely where they do not correspond.
+    pub fn deviation(&self, other: &Self) -> Deviation {
+        let (own, others) = (self.outline.features(), other.outline.features());
+        if std::ptr::eq(self, other) {
+            return Deviation::default();
+        }
+        if own.len() != others.len() || self.pieces != other.pieces {
+            return Deviation { points: f64::INFINITY, ..Deviation::default() };
+        }
+        own.iter().zip(others).map(|(a, b)| a.deviation(b)).fold(Deviation::default(), Deviation::most)
     }
 
     /// A bound of the distance of any point that may touch something from the frame's origin.

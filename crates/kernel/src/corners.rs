@@ -1,9 +1,15 @@
 //! How far the corners of a tooth and of the circular spline are from each other.
 
+use std::ops::Range;
+
 use crate::body::Body;
 use crate::engagement::Engagement;
+use crate::outline::Outline;
 use crate::point::Point;
 use crate::pose::Pose;
+
+/// Ways count as that much longer.
+const ROUNDING: f64 = 1.0 + 1e-9;
 
 /// Least distance of a convex corner of a tooth at `pose` from one of the circular spline.
 pub fn between_convex(engagement: &Engagement, pose: &Pose) -> f64 {
@@ -16,6 +22,39 @@ pub fn between_reflex_and_any(engagement: &Engagement, pose: &Pose) -> f64 {
     let (tooth, space) = engagement.bodies();
     let with_reflex_of_space = between(pose, convex(tooth).chain(reflex(tooth)), reflex(space));
     with_reflex_of_space.min(between(pose, reflex(tooth), convex(space)))
+}
+
+/// Least distance of a point from some pieces of an outline.
+pub fn from_outline(p: Point, outline: &Outline, pieces: Range<usize>) -> f64 {
+    let mut least = f64::INFINITY;
+    for piece in pieces {
+        if outline.may_be_within(piece, p, least) {
+            least = least.min(outline.segments()[piece].nearest(p).distance.abs());
+        }
+    }
+    least
+}
+
+/// A distance of a tooth from its surroundings that was found at one pose.
+#[derive(Clone, Default)]
+pub struct Room {
+    found: Option<(Pose, f64)>,
+}
+
+impl Room {
+    /// Whether the distance at a pose is greater than `reach`; `find` is asked where that does not follow from what was
+    /// found before, since no point within `farthest` of the tooth's origin has come far enough.
+    pub fn exceeds(&mut self, reach: f64, pose: &Pose, farthest: f64, find: impl FnOnce() -> f64) -> bool {
+        if let Some((before, distance)) = &self.found {
+            let way = (pose.origin - before.origin).norm() + (pose.y_axis() - before.y_axis()).norm() * farthest;
+            if distance - ROUNDING * way > reach {
+                return true;
+            }
+        }
+        let distance = find();
+        self.found = Some((*pose, distance));
+        distance > reach
+    }
 }
 
 fn convex(body: &Body) -> impl Iterator<Item = Point> + Clone + '_ {

@@ -111,46 +111,6 @@ impl Engagement {
         f64::from(self.flexspline().gear.teeth) / 4.0
     }
 
-    /// Pose of the flexspline tooth frame of index `k` with the wave generator's major axis along +Y.
-    fn tooth_pose(&self, k: f64) -> Pose {
-        let point = self.curve.at_arc_length(k * self.motion.pitch);
-        Pose::with_y_axis(point.position + point.normal * self.motion.height, point.normal)
-    }
-
-    /// Pose of flexspline tooth `tooth` (a whole number, or any real one) in the global frame, the circular spline
-    /// fixed and the wave generator at `generator_angle`.
-    pub fn flexspline_pose(&self, tooth: f64, generator_angle: f64) -> Pose {
-        let index = tooth - generator_angle / self.motion.space_angle;
-        Pose::rotation(generator_angle).after(&self.tooth_pose(index))
-    }
-
-    /// Pose of the circular-spline tooth clockwise of space `space` in the global frame.
-    pub fn circular_spline_pose(&self, space: f64) -> Pose {
-        let axis = Point::at_angle((space + 0.5) * self.motion.space_angle);
-        Pose::with_y_axis(axis * self.circular_spline().gear.pitch_radius, -axis)
-    }
-
-    /// Pose of the tooth of index `k` in the frame of the nearest space.
-    ///
-    /// With a difference of two teeth this is space k throughout; with more, teeth pass into the next spaces.
-    pub fn relative_pose(&self, k: f64) -> Pose {
-        let gamma = self.motion.space_angle;
-        let tooth = Pose::rotation(-k * gamma).after(&self.tooth_pose(k));
-        if tooth.origin.x.abs() <= tooth.origin.y * self.motion.half_space {
-            return tooth.shifted(self.center());
-        }
-        let passed = (tooth.origin.angle() / gamma).round();
-        Pose::rotation(-passed * gamma).after(&tooth).shifted(self.center())
-    }
-
-    /// Pose, in the global frame at generator angle 0, of the space in which the tooth of index `k` stands.
-    pub fn space_pose(&self, k: f64) -> Pose {
-        let gamma = self.motion.space_angle;
-        let passed = ((self.tooth_pose(k).origin.angle() - k * gamma) / gamma).round();
-        let space = Pose::rotation((k + passed) * gamma);
-        space.shifted(-space.vector(self.center()))
-    }
-
     /// Signed clearance of both flanks of a tooth at a pose in the frame of its space.
     pub fn clearances(&self, tooth: &Pose) -> FlankPair<Clearance> {
         let tooth = self.tooth().posed(tooth);
@@ -166,6 +126,22 @@ impl Engagement {
         floor.norm() < gear.signed_tip_radius().abs() && tip < gear.signed_root_radius().abs()
     }
 
+    /// The least clearance of some flanks at a pose at which the pairs of features have the least gap `gap`, −∞ where
+    /// outlines cross or touch.
+    #[inline]
+    pub(crate) fn settled(&self, tooth: &Pose, gap: f64, flanks: &[Flank]) -> f64 {
+        if gap > f64::NEG_INFINITY && self.stands_free(tooth) { gap } else { self.overlap(tooth, flanks) }
+    }
+
+    /// The least clearance of some flanks where outlines cross, touch or may hold each other.
+    #[cold]
+    fn overlap(&self, tooth: &Pose, flanks: &[Flank]) -> f64 {
+        let tooth = self.tooth().posed(tooth);
+        let least = |gap: &dyn Fn(Flank) -> f64| flanks.iter().map(|&flank| gap(flank)).fold(f64::INFINITY, f64::min);
+        let deepest = least(&|flank| self.overlap_gap(&tooth, flank));
+        if deepest < 0.0 { deepest } else { least(&|flank| self.flank(&tooth, flank).gap) }
+    }
+
     /// The indices of the teeth that are not mirror images of others: 0, 1, … up to a quarter of the flexspline's teeth,
     /// and the halves between for an odd number, whose second lobe they are.
     pub fn indices(&self) -> Vec<f64> {
@@ -176,7 +152,7 @@ impl Engagement {
 
     /// The backlash of these teeth, by index.
     pub fn distribution(&self) -> Vec<(f64, f64)> {
-        GapCurve::new(self, &BOTH_FLANKS, 0.0).samples(&self.indices()).iter().map(|s| (s.index, s.gap)).collect()
+        GapCurve::new(self, &BOTH_FLANKS, 0.0).distribution()
     }
 
     /// Signed clearance of one flank of a tooth whose outline is given in the frame of its space.

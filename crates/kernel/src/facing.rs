@@ -5,8 +5,9 @@
 use pulp::Simd;
 
 use crate::feature::{Feature, Form};
-use crate::lanes::{Lanes, Mask, Points, Poses};
+use crate::lanes::{Lanes, Mask};
 use crate::point::Point;
+use crate::points::{Points, Poses};
 
 /// Circles whose centres are this near (mm) have no common normal that could be told from rounding.
 const CONCENTRIC: f64 = 1e-9;

@@ -13,7 +13,7 @@ pub struct Fold {
 
 impl Fold {
     /// The coordinate within the first quadrant (of size `quadrant`) and how to get back.
-    #[inline]
+    #[inline(always)]
     pub fn of(coordinate: f64, quadrant: f64) -> (f64, Self) {
         let quarters = (coordinate / quadrant).floor();
         // Far beyond 2⁶³ quadrants no digit of the coordinate is left to say which one it is.
@@ -22,19 +22,26 @@ impl Fold {
         (if fold.reversed() { quadrant - within } else { within }, fold)
     }
 
-    #[inline]
+    #[inline(always)]
     pub fn reversed(self) -> bool {
         self.which & 1 == 1
     }
 
+    /// What x and y of a point of the first quadrant are multiplied by.
+    #[inline(always)]
+    pub fn signs(self) -> [f64; 2] {
+        match self.which & 3 {
+            0 => [1.0, 1.0],
+            1 => [1.0, -1.0],
+            2 => [-1.0, -1.0],
+            _ => [-1.0, 1.0],
+        }
+    }
+
     #[inline]
     pub fn unfold(self, point: CurvePoint) -> CurvePoint {
-        let turn = |p: Point| match self.which & 3 {
-            0 => p,
-            1 => Point::new(p.x, -p.y),
-            2 => Point::new(-p.x, -p.y),
-            _ => Point::new(-p.x, p.y),
-        };
+        let [x, y] = self.signs();
+        let turn = |p: Point| Point::new(p.x * x, p.y * y);
         CurvePoint { position: turn(point.position), normal: turn(point.normal), ..point }
     }
 }

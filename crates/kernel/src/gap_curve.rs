@@ -1,20 +1,34 @@
 //! The gap of a tooth over its index.
 
 use crate::body::Body;
-use crate::corners;
+use crate::corners::{self, Room};
 use crate::engagement::{Engagement, Flank};
 use crate::pose::Pose;
 use crate::pursuit::Pursuit;
 use crate::ties::{self, ConvexCorner, Neighbourhood, Side};
+use crate::vicinity::{Neighbour, Vicinity};
 
 pub const BOTH_FLANKS: [Flank; 2] = [Flank::Right, Flank::Left];
 
 /// gap(k) of the given flanks, with the circular spline turned towards the first.
 pub struct GapCurve<'a> {
     engagement: &'a Engagement,
-    flanks: &'a [Flank],
+    flanks: &'static [Flank],
     turn: f64,
-    pursuit: Pursuit<'a>,
+    /// A similar design whose closest pairs are known.
+    neighbour: Option<Neighbour<'a>>,
+    /// Begun when it is needed.
+    pursuit: Option<Pursuit>,
+    rooms: Rooms,
+}
+
+/// Distances that proofs of smoothness ask for.
+#[derive(Default)]
+struct Rooms {
+    between_convex: Room,
+    between_reflex_and_any: Room,
+    /// Of each convex corner of the tooth, and of the space, from the other's outline.
+    of_corners: [Vec<Room>; 2],
 }
 
 /// The curve at one index.
@@ -28,8 +42,13 @@ pub struct Sample {
 }
 
 impl<'a> GapCurve<'a> {
-    pub fn new(engagement: &'a Engagement, flanks: &'a [Flank], turn: f64) -> Self {
-        Self { engagement, flanks, turn, pursuit: Pursuit::new(engagement, flanks) }
+    pub fn new(engagement: &'a Engagement, flanks: &'static [Flank], turn: f64) -> Self {
+        Self { engagement, flanks, turn, neighbour: None, pursuit: None, rooms: Rooms::default() }
+    }
+
+    /// The curve of both flanks, with the same numbers, beside what is known of similar designs.
+    pub fn beside(vicinity: &'a mut Vicinity, engagement: &'a Engagement) -> Self {
+        Self { neighbour: vicinity.of(engagement), ..Self::new(engagement, &BOTH_FLANKS, 0.0) }
     }
 
     pub const fn engagement(&self) -> &'a Engagement {
@@ -38,13 +57,53 @@ impl<'a> GapCurve<'a> {
 
     /// Samples at some indices, best in order.
     pub fn samples(&mut self, indices: &[f64]) -> Vec<Sample> {
-        let poses: Vec<Pose> = indices.iter().map(|&index| self.pose(index)).collect();
-        let gaps = self.pursuit.gaps(&poses);
+        let (poses, gaps) = match &mut self.neighbour {
+            Some(neighbour) => {
+                let (poses, gaps) = neighbour.gaps(indices);
+                // One that is far at all of them is not asked again.
+                if gaps.iter().all(|gap| gap.is_nan()) {
+                    self.neighbour = None;
+                }
+                (poses, gaps)
+            }
+            None => (self.poses(indices), vec![f64::NAN; indices.len()]),
+        };
+        let gaps = self.pursued(&poses, gaps);
         let sample = |((&index, gap), pose)| Sample { index, gap, pose, smooth_within: 0.0 };
         indices.iter().zip(gaps).zip(poses).map(sample).collect()
     }
 
-    /// Pose of the tooth in the frame of its space.
+    /// The gaps at some poses, of which those that are NaN are still to be found.
+    fn pursued(&mut self, poses: &[Pose], mut gaps: Vec<f64>) -> Vec<f64> {
+        let open: Vec<usize> = (0..gaps.len()).filter(|&i| gaps[i].is_nan()).collect();
+        if !open.is_empty() {
+            let poses: Vec<Pose> = open.iter().map(|&i| poses[i]).collect();
+            let pursuit = self.pursuit.get_or_insert_with(|| Pursuit::new(self.engagement, self.flanks));
+            for (i, gap) in open.iter().zip(pursuit.gaps(&poses)) {
+                gaps[*i] = gap;
+            }
+        }
+        gaps
+    }
+
+    /// See [`Engagement::distribution`].
+    pub fn distribution(&mut self) -> Vec<(f64, f64)> {
+        self.samples(&self.engagement.indices()).iter().map(|sample| (sample.index, sample.gap)).collect()
+    }
+
+    /// Poses of the tooth in the frame of its space.
+    fn poses(&self, indices: &[f64]) -> Vec<Pose> {
+        let turned_back: Vec<Pose> = indices.iter().map(|&k| self.engagement.turned_back(k)).collect();
+        let mut poses = self.engagement.relative_poses(indices, &turned_back);
+        if self.turn != 0.0 {
+            for pose in &mut poses {
+                *pose = self.engagement.turned(pose, self.flanks[0], self.turn);
+            }
+        }
+        poses
+    }
+
+    /// One of them.
     pub fn pose(&self, index: f64) -> Pose {
         let pose = self.engagement.relative_pose(index);
         if self.turn == 0.0 { pose } else { self.engagement.turned(&pose, self.flanks[0], self.turn) }
@@ -52,44 +111,54 @@ impl<'a> GapCurve<'a> {
 
     /// Whether every witness is smooth for all indices that differ by no more than `half_width` from the sample's, which
     /// remembers it.
-    pub fn smooth_around(&self, sample: &mut Sample, half_width: f64) -> bool {
+    pub fn smooth_around(&mut self, sample: &mut Sample, half_width: f64) -> bool {
         if half_width > sample.smooth_within && self.proves_smooth(sample, half_width) {
             sample.smooth_within = half_width;
         }
         half_width <= sample.smooth_within
     }
 
-    fn proves_smooth(&self, sample: &Sample, half_width: f64) -> bool {
-        let engagement = self.engagement;
-        let bounds = engagement.bounds();
+    fn proves_smooth(&mut self, sample: &Sample, half_width: f64) -> bool {
+        let (engagement, pose) = (self.engagement, &sample.pose);
+        let (bounds, motion) = (engagement.bounds(), engagement.motion());
         let moved = bounds.slope * half_width;
         // Bodies that are apart are never nearest in a reflex corner.
         let reach = sample.gap + 2.0 * moved;
-        if corners::between_convex(engagement, &sample.pose) <= reach {
+        let between_convex = || corners::between_convex(engagement, pose);
+        if !self.rooms.between_convex.exceeds(reach, pose, motion.reach, between_convex) {
             return false;
         }
         if sample.gap > moved {
             return true;
         }
         // The bound M holds to this depth.
-        if moved - sample.gap > 0.1 * engagement.motion().least_convex_radius {
+        if moved - sample.gap > 0.1 * motion.least_convex_radius {
             return false;
         }
         let around = Neighbourhood { moved, turned: bounds.turning * half_width, depth: moved - sample.gap };
-        corners::between_reflex_and_any(engagement, &sample.pose) > reach && self.free_of_ties(&sample.pose, &around)
+        let between_reflex_and_any = || corners::between_reflex_and_any(engagement, pose);
+        self.rooms.between_reflex_and_any.exceeds(reach, pose, motion.reach, between_reflex_and_any)
+            && self.free_of_ties(pose, &around)
     }
 
     /// Whether no tied point of either outline can be the deepest one in the other body, anywhere around the pose.
-    fn free_of_ties(&self, pose: &Pose, around: &Neighbourhood) -> bool {
+    fn free_of_ties(&mut self, pose: &Pose, around: &Neighbourhood) -> bool {
         let (tooth, space) = self.engagement.bodies();
+        let farthest = self.engagement.motion().reach;
         let side =
             |body: &'a Body, reach| Side { outline: body.outline(), counted: body.pieces_of(self.flanks), reach };
-        let on_tooth = side(tooth, self.engagement.motion().reach);
-        let on_space = side(space, f64::INFINITY);
-        let are_harmless = |on: &Side, of: &Side, corners: &[ConvexCorner], pose: &Pose| {
-            corners.iter().all(|corner| ties::harmless(on, corner, pose, of.counted.contains(&corner.piece), around))
+        let (on_tooth, on_space) = (side(tooth, farthest), side(space, f64::INFINITY));
+        let [of_tooth, of_space] = &mut self.rooms.of_corners;
+        let are_harmless = |on: &Side, of: &Side, corners: &[ConvexCorner], rooms: &mut Vec<Room>, seen: &Pose| {
+            rooms.resize(corners.len(), Room::default());
+            corners.iter().zip(rooms).all(|(corner, room)| {
+                let reach = corner.reach(around);
+                let distance = || corners::from_outline(seen.point(corner.point), on.outline, on.counted.clone());
+                let is_far = corner.side >= reach && room.exceeds(reach, pose, farthest, distance);
+                is_far || ties::harmless(on, corner, seen, of.counted.contains(&corner.piece), around)
+            })
         };
-        are_harmless(&on_space, &on_tooth, tooth.convex_corners(), pose)
-            && are_harmless(&on_tooth, &on_space, space.convex_corners(), &pose.inverse())
+        are_harmless(&on_space, &on_tooth, tooth.convex_corners(), of_tooth, pose)
+            && are_harmless(&on_tooth, &on_space, space.convex_corners(), of_space, &pose.inverse())
     }
 }

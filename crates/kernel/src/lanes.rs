@@ -3,16 +3,20 @@
 //! Only additions, multiplications, roots and comparisons are used, each rounded as for a single number, so the results
 //! do not depend on how wide a register is.
 
-use std::ops::{Add, BitAnd, Mul, Neg, Sub};
+use std::ops::{Add, BitAnd, Div, Mul, Neg, Sub};
 
 use pulp::Simd;
 
-use crate::outline::BoundingCircle;
-use crate::point::Point;
-use crate::pose::Pose;
+/// The widest register that is used holds this many (AVX2; see the features of `pulp`).
+pub const WIDEST: usize = 4;
 
-/// The widest register holds this many.
-pub const WIDEST: usize = 8;
+/// A column that fills whole registers: its last number is repeated.
+pub fn filled(numbers: impl Iterator<Item = f64>) -> Vec<f64> {
+    let mut column: Vec<f64> = numbers.collect();
+    let last = column.last().copied().unwrap_or_default();
+    column.resize(column.len().next_multiple_of(WIDEST), last);
+    column
+}
 
 #[derive(Clone, Copy, Debug)]
 pub struct Lanes<S: Simd> {
@@ -37,6 +41,27 @@ impl<S: Simd> Lanes<S> {
     #[inline(always)]
     pub fn load(simd: S, values: &[f64]) -> Self {
         Self { simd, values: S::as_simd_f64s(values).0[0] }
+    }
+
+    /// Rows of numbers, one for each lane, as columns.
+    #[inline(always)]
+    pub fn columns<const N: usize>(simd: S, row: impl Fn(usize) -> [f64; N]) -> [Self; N] {
+        let mut columns = [[0.0; WIDEST]; N];
+        for l in 0..S::F64_LANES {
+            for (column, value) in columns.iter_mut().zip(row(l)) {
+                column[l] = value;
+            }
+        }
+        let mut loaded = [Self::all(simd, 0.0); N];
+        for (lanes, column) in loaded.iter_mut().zip(&columns) {
+            *lanes = Self::load(simd, column);
+        }
+        loaded
+    }
+
+    #[inline(always)]
+    pub const fn simd(self) -> S {
+        self.simd
     }
 
     #[inline(always)]
@@ -94,6 +119,26 @@ impl<S: Simd> Mask<S> {
     }
 }
 
+impl<S: Simd> Mask<S> {
+    /// Whether it is a yes in every lane.
+    #[inline(always)]
+    pub fn all(self) -> bool {
+        self.numbers().least() > 0.0
+    }
+
+    /// Whether it is a yes in any lane.
+    #[inline(always)]
+    pub fn any(self) -> bool {
+        self.numbers().greatest() > 0.0
+    }
+
+    /// 1 for a yes.
+    #[inline(always)]
+    fn numbers(self) -> Lanes<S> {
+        self.select(Lanes::all(self.simd, 1.0), Lanes::all(self.simd, 0.0))
+    }
+}
+
 impl<S: Simd> BitAnd for Mask<S> {
     type Output = Self;
     #[inline(always)]
@@ -126,150 +171,18 @@ impl<S: Simd> Mul for Lanes<S> {
     }
 }
 
+impl<S: Simd> Div for Lanes<S> {
+    type Output = Self;
+    #[inline(always)]
+    fn div(self, other: Self) -> Self {
+        Self { values: self.simd.div_f64s(self.values, other.values), ..self }
+    }
+}
+
 impl<S: Simd> Neg for Lanes<S> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
         Self { values: self.simd.neg_f64s(self.values), ..self }
-    }
-}
-
-/// Points or vectors.
-#[derive(Clone, Copy, Debug)]
-pub struct Points<S: Simd> {
-    pub x: Lanes<S>,
-    pub y: Lanes<S>,
-}
-
-impl<S: Simd> Points<S> {
-    #[inline(always)]
-    pub fn all(simd: S, p: Point) -> Self {
-        Self { x: Lanes::all(simd, p.x), y: Lanes::all(simd, p.y) }
-    }
-
-    pub fn at(self, lane: usize) -> Point {
-        Point::new(self.x.to_array()[lane], self.y.to_array()[lane])
-    }
-
-    #[inline(always)]
-    pub fn dot(self, other: Self) -> Lanes<S> {
-        self.x * other.x + self.y * other.y
-    }
-
-    #[inline(always)]
-    pub fn cross(self, other: Self) -> Lanes<S> {
-        self.x * other.y - self.y * other.x
-    }
-
-    #[inline(always)]
-    pub fn norm(self) -> Lanes<S> {
-        self.dot(self).sqrt()
-    }
-}
-
-impl<S: Simd> Sub for Points<S> {
-    type Output = Self;
-    #[inline(always)]
-    fn sub(self, other: Self) -> Self {
-        Self { x: self.x - other.x, y: self.y - other.y }
-    }
-}
-
-impl<S: Simd> Neg for Points<S> {
-    type Output = Self;
-    #[inline(always)]
-    fn neg(self) -> Self {
-        Self { x: -self.x, y: -self.y }
-    }
-}
-
-/// Poses of a tooth.
-#[derive(Clone, Copy, Debug)]
-pub struct Poses<S: Simd> {
-    simd: S,
-    first: Pose,
-    x: Lanes<S>,
-    y: Lanes<S>,
-    sin: Lanes<S>,
-    cos: Lanes<S>,
-}
-
-impl<S: Simd> Poses<S> {
-    /// One pose or more, at most as many as there are lanes; the last fills the rest.
-    #[inline(always)]
-    pub fn new(simd: S, poses: &[Pose]) -> Self {
-        let mut columns = [[0.0; WIDEST]; 4];
-        for l in 0..S::F64_LANES {
-            let pose = &poses[l.min(poses.len() - 1)];
-            let y_axis = pose.y_axis();
-            for (column, value) in columns.iter_mut().zip([pose.origin.x, pose.origin.y, y_axis.x, y_axis.y]) {
-                column[l] = value;
-            }
-        }
-        let [x, y, sin, cos] = columns;
-        let load = |column| Lanes::load(simd, column);
-        Self { simd, first: poses[0], x: load(&x), y: load(&y), sin: load(&sin), cos: load(&cos) }
-    }
-
-    #[inline(always)]
-    pub const fn simd(&self) -> S {
-        self.simd
-    }
-
-    #[inline(always)]
-    pub const fn first(&self) -> &Pose {
-        &self.first
-    }
-
-    /// The same numbers as [`Pose::point`] gives.
-    #[inline(always)]
-    pub fn point(&self, p: Point) -> Points<S> {
-        let turned = self.vector(p);
-        Points { x: turned.x + self.x, y: turned.y + self.y }
-    }
-
-    #[inline(always)]
-    pub fn vector(&self, v: Point) -> Points<S> {
-        let v = Points::all(self.simd, v);
-        Points { x: v.x * self.cos + v.y * self.sin, y: v.y * self.cos - v.x * self.sin }
-    }
-}
-
-/// Circles in columns, as many as fill whole registers: those added are infinitely far from everything.
-#[derive(Clone, Debug, Default)]
-pub struct Circles {
-    x: Vec<f64>,
-    y: Vec<f64>,
-    radius: Vec<f64>,
-}
-
-impl Circles {
-    pub fn new(circles: impl Iterator<Item = BoundingCircle>) -> Self {
-        let mut columns = Self::default();
-        for circle in circles {
-            columns.push(circle.center, circle.radius);
-        }
-        while columns.len() % WIDEST != 0 {
-            columns.push(Point::default(), f64::NEG_INFINITY);
-        }
-        columns
-    }
-
-    fn push(&mut self, center: Point, radius: f64) {
-        self.x.push(center.x);
-        self.y.push(center.y);
-        self.radius.push(radius);
-    }
-
-    pub fn len(&self) -> usize {
-        self.x.len()
-    }
-
-    /// How far a circle is from those from index `first` on.
-    #[inline(always)]
-    pub fn distance_from<S: Simd>(&self, simd: S, first: usize, circle: &BoundingCircle) -> Lanes<S> {
-        let load = |column: &[f64]| Lanes::load(simd, &column[first..]);
-        let between = Points { x: load(&self.x), y: load(&self.y) } - Points::all(simd, circle.center);
-        between.norm() - Lanes::all(simd, circle.radius) - load(&self.radius)
     }
 }

@@ -8,6 +8,7 @@
 //! at (r, φ) is (r sin φ, r cos φ), and a surface whose outward normal stands at angle τ has normal (sin τ, cos τ) and
 //! tangent (cos τ, −sin τ): chains run with the material on their right.
 
+mod alike;
 mod arc;
 mod arc_length;
 mod batch;
@@ -17,6 +18,7 @@ mod clearance;
 mod closest;
 mod corners;
 mod depth;
+mod deviation;
 mod ellipse;
 mod engagement;
 mod error;
@@ -32,9 +34,14 @@ mod lanes;
 mod line;
 mod motion;
 mod nearest;
+mod nearness;
 mod neutral_curve;
 mod outline;
+mod pair_gaps;
+mod placement;
 mod point;
+mod points;
+mod polar_samples;
 mod pose;
 mod profile;
 mod pursuit;
@@ -42,6 +49,7 @@ mod quadrant;
 mod ring_shape;
 mod segment;
 mod ties;
+mod vicinity;
 
 pub use arc::Arc;
 pub use batch::{Batch, Column, CurveForm, CurveSpec, Metrics, ProfileSpec, Question};

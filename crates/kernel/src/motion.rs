@@ -39,21 +39,7 @@ pub struct MotionMinimum {
 impl Engagement {
     /// The least gap of both flanks over all indices, certified to `tolerance` (mm).
     pub fn minimum_in_motion(&self, tolerance: f64) -> MotionMinimum {
-        self.distribution_and_minimum(tolerance).1
-    }
-
-    /// The same with [`Engagement::distribution`], from which the search starts.
-    pub fn distribution_and_minimum(&self, tolerance: f64) -> (Vec<(f64, f64)>, MotionMinimum) {
-        let mut curve = GapCurve::new(self, &BOTH_FLANKS, 0.0);
-        let mut indices = self.indices();
-        let teeth = indices.len();
-        // A number of teeth that is no multiple of 4 has its minor axis between teeth.
-        if indices[teeth - 1] < self.quarter() {
-            indices.push(self.quarter());
-        }
-        let samples = curve.samples(&indices);
-        let distribution = samples[..teeth].iter().map(|sample| (sample.index, sample.gap)).collect();
-        (distribution, curve.minimum(samples, tolerance))
+        GapCurve::new(self, &BOTH_FLANKS, 0.0).distribution_and_minimum(tolerance).1
     }
 
     /// The least circumferential backlash (mm) of one flank over all indices, within `tolerance`; `None` where half a
@@ -87,6 +73,19 @@ struct Interval {
 }
 
 impl GapCurve<'_> {
+    /// The distribution and the certified least gap, whose search starts from it.
+    pub fn distribution_and_minimum(&mut self, tolerance: f64) -> (Vec<(f64, f64)>, MotionMinimum) {
+        let (mut indices, quarter) = (self.engagement().indices(), self.engagement().quarter());
+        let teeth = indices.len();
+        // A number of teeth that is no multiple of 4 has its minor axis between teeth.
+        if indices[teeth - 1] < quarter {
+            indices.push(quarter);
+        }
+        let samples = self.samples(&indices);
+        let distribution = samples[..teeth].iter().map(|sample| (sample.index, sample.gap)).collect();
+        (distribution, self.minimum(samples, tolerance))
+    }
+
     /// The least gap between the first and the last of some samples, which ascend.
     fn minimum(&mut self, mut samples: Vec<Sample>, tolerance: f64) -> MotionMinimum {
         let narrowest = NARROWEST * (samples[samples.len() - 1].index - samples[0].index);
@@ -123,7 +122,7 @@ impl GapCurve<'_> {
     }
 
     /// The interval with the best lower bound that is at hand; `target` is what it has to reach.
-    fn interval(&self, samples: &mut [Sample], ends: [usize; 2], target: f64) -> Interval {
+    fn interval(&mut self, samples: &mut [Sample], ends: [usize; 2], target: f64) -> Interval {
         let [start, end] = ends.map(|end| samples[end]);
         let width = end.index - start.index;
         let bounds = self.engagement().bounds();

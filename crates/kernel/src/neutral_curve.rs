@@ -3,11 +3,17 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;
 
-use crate::arc_length::{self, ArcLength, Panels, Station};
+use pulp::{Scalar, Simd};
+
+use crate::arc_length::{self, ArcLength, Panels, Stations};
 use crate::ellipse;
 use crate::error::GeometryError;
 use crate::fold::Fold;
-use crate::quadrant::{CurvePoint, Quadrant, polar, polar_point, polar_speed, polar_speed_and_slope};
+use crate::lanes::{Lanes, WIDEST};
+use crate::point::Point;
+use crate::points::Points;
+use crate::polar_samples::PolarSamples;
+use crate::quadrant::{CurvePoint, CurvePoints, Quadrant, ellipse_speed_and_slope, polar_points};
 use crate::ring_shape::SampledShape;
 
 /// How a displacement w makes a curve of a circle of radius R.
@@ -57,10 +63,14 @@ impl NeutralCurve {
                 (radius + c, w0 - c)
             }
         };
-        let at_nodes = shape.at_nodes.iter().map(|&f| polar_speed(base, amplitude, f));
-        let at_ends = shape.at_ends.iter().map(|&f| polar_speed_and_slope(polar(base, amplitude, f)));
-        let arc_length = ArcLength::new(Arc::clone(&shape.panels), at_nodes, at_ends);
-        Self { radius, w0, form: Quadrant::Polar { base, amplitude, shape: Arc::clone(shape) }, arc_length }.checked()
+        let samples = PolarSamples { base, amplitude, shape };
+        let at_ends = samples.speeds_at_ends();
+        let is_loop = at_ends.is_some();
+        let at_ends = at_ends.unwrap_or_default();
+        let arc_length = ArcLength::new(Arc::clone(&shape.panels), &samples.speeds_at_nodes(), at_ends);
+        let curve =
+            Self { radius, w0, form: Quadrant::Polar { base, amplitude, shape: Arc::clone(shape) }, arc_length };
+        if is_loop { Ok(curve) } else { curve.checked() }
     }
 
     /// The curve at the distance `offset` outside the ellipse of a cam (`offset` = 0: the ellipse itself), with its
@@ -83,10 +93,11 @@ impl NeutralCurve {
         let minor = ellipse::minor_semi_axis(major, 2.0 * PI * (radius - offset))?;
         let form = Quadrant::Ellipse { major, minor, offset };
         let panels = Arc::new(Panels::new(&[], ELLIPSE_FINENESS));
+        let at_ends: Vec<_> = panels.ends.iter().map(|&t| ellipse_speed_and_slope([major, minor, offset], t)).collect();
         let arc_length = ArcLength::new(
             Arc::clone(&panels),
-            panels.nodes.iter().map(|&t| form.speed(t)),
-            panels.ends.iter().map(|&t| form.speed_and_slope(t)),
+            &panels.nodes.iter().map(|&t| form.speed(t)).collect::<Vec<_>>(),
+            [0, 1].map(|i| at_ends.iter().map(|values| values[i]).collect()),
         );
         // A very flat ellipse is finer than the panels.
         let (perimeter_mm, wanted_mm) = (4.0 * arc_length.quadrant(), 2.0 * PI * radius);
@@ -98,6 +109,7 @@ impl NeutralCurve {
     }
 
     /// Refuses a curve that is not a convex loop about the origin.
+    #[cold]
     fn checked(self) -> Result<Self, GeometryError> {
         for CurvePoint { position, normal, curvature } in self.stations() {
             let outward = normal.dot(position);
@@ -130,27 +142,42 @@ impl NeutralCurve {
     /// last on the minor axis.
     pub fn stations(&self) -> impl Iterator<Item = CurvePoint> + '_ {
         let panels = self.arc_length.panels();
-        let stations = panels.ends.iter().zip(&panels.directions).map(|(&t, &direction)| Station { t, direction });
+        let [x, y] = &panels.directions;
+        let stations = panels.ends.iter().zip(x).zip(y).map(|((&t, &x), &y)| Stations::new(t, Point::new(x, y)));
         stations.enumerate().map(move |(i, station)| match &self.form {
             Quadrant::Polar { base, amplitude, shape } => {
-                polar_point(station.direction, polar(*base, *amplitude, shape.at_ends[i]))
+                let samples = PolarSamples { base: *base, amplitude: *amplitude, shape };
+                polar_points(station.direction, samples.radii(Scalar, &shape.at_ends, i)).one()
             }
-            Quadrant::Ellipse { .. } => self.form.point(station),
+            Quadrant::Ellipse { .. } => self.form.points(station).one(),
         })
     }
 
     /// The point at arc length `s` from the major axis, clockwise; any real `s`.
     pub fn at_arc_length(&self, s: f64) -> CurvePoint {
+        self.at_arc_lengths(Scalar, &[s; WIDEST]).one()
+    }
+
+    /// The points at several arc lengths.
+    #[inline(always)]
+    pub(crate) fn at_arc_lengths<S: Simd>(&self, simd: S, s: &[f64; WIDEST]) -> CurvePoints<S> {
         let quadrant = self.arc_length.quadrant();
-        let (s, fold) = Fold::of(s, quadrant);
-        let station = self.arc_length.inverse(|t| self.form.speed(t), s);
-        fold.unfold(self.form.point(station))
+        let (mut within, mut signs) = ([0.0; WIDEST], [[1.0; 2]; WIDEST]);
+        for l in 0..S::F64_LANES {
+            let (s, fold) = Fold::of(s[l], quadrant);
+            (within[l], signs[l]) = (s, fold.signs());
+        }
+        let stations = self.arc_length.inverse(simd, |t| self.form.speed(t), &within);
+        let points = self.form.points(stations);
+        let [x, y] = Lanes::columns(simd, |l| signs[l]);
+        let turn = |p: Points<S>| Points { x: p.x * x, y: p.y * y };
+        CurvePoints { position: turn(points.position), normal: turn(points.normal), ..points }
     }
 
     /// The point at the polar angle `phi`; any real angle.
     pub fn at_angle(&self, phi: f64) -> CurvePoint {
         let (phi, fold) = Fold::of(phi, FRAC_PI_2);
-        fold.unfold(self.form.point(Station::at(self.form.parameter(phi))))
+        fold.unfold(self.form.point(self.form.parameter(phi)))
     }
 
     /// Arc length from the major axis to the polar angle `phi`; any real angle.
@@ -166,7 +193,8 @@ impl NeutralCurve {
     pub fn angle_at(&self, s: f64) -> f64 {
         let quadrant = self.arc_length.quadrant();
         let (folded, fold) = Fold::of(s, quadrant);
-        let within = self.form.point(self.arc_length.inverse(|t| self.form.speed(t), folded)).position.angle();
+        let station = self.arc_length.inverse(Scalar, |t| self.form.speed(t), &[folded; WIDEST]);
+        let within = self.form.points(station).one().position.angle();
         FRAC_PI_2.mul_add(fold.quarters, if fold.reversed() { FRAC_PI_2 - within } else { within })
     }
 
@@ -215,8 +243,8 @@ fn keep_perimeter(radius: f64, shape: &SampledShape, form: impl Fn(f64) -> (f64,
     let wanted = 2.0 * PI * radius;
     let excess = |c: f64| {
         let (base, amplitude) = form(c);
-        let speeds = shape.at_nodes.iter().map(|&f| polar_speed(base, amplitude, f));
-        4.0 * arc_length::quadrant(&shape.panels, speeds) - wanted
+        let speeds = PolarSamples { base, amplitude, shape }.speeds_at_nodes();
+        4.0 * arc_length::quadrant(&shape.panels, &speeds) - wanted
     };
     let (mut c0, mut e0) = (0.0, excess(0.0));
     let mut c1 = -e0 / (2.0 * PI);

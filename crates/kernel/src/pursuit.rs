@@ -12,21 +12,22 @@
 use pulp::{Arch, Simd, WithSimd};
 
 use crate::body::RingTooth;
-use crate::closest::MAY_CROSS;
 use crate::engagement::{Engagement, Flank};
-use crate::facing::{Posed, beside, facing};
-use crate::feature::{Feature, Kind};
-use crate::intersection;
-use crate::lanes::{Lanes, Poses, WIDEST};
+use crate::facing::Posed;
+use crate::feature::Feature;
+use crate::lanes::{Lanes, WIDEST};
+use crate::nearness::{Nearness, Pair};
+use crate::pair_gaps::PairGaps;
+use crate::points::Poses;
 use crate::pose::Pose;
 
 /// Keys are lowered by this share of the tooth pitch and of the way travelled, far more than rounding adds up to.
 const ROUNDING: f64 = 1e-12;
 
 /// The pursuit of a tooth's gap.
-pub struct Pursuit<'a> {
-    engagement: &'a Engagement,
-    flanks: &'a [Flank],
+pub struct Pursuit {
+    engagement: Engagement,
+    flanks: &'static [Flank],
     rows: Vec<Row>,
     /// Keys of the pairs, row after row.
     keys: Vec<f64>,
@@ -40,6 +41,10 @@ pub struct Pursuit<'a> {
     reach: f64,
     /// Nor any other point of a row.
     farthest: f64,
+    /// The pairs looked at at the last poses: row and place.
+    looked_at: Vec<(usize, usize)>,
+    /// Those of them that were near, if that was asked.
+    near: Vec<Pair>,
 }
 
 /// One feature of the flexspline's tooth against the features of one tooth of the circular spline.
@@ -71,13 +76,13 @@ impl Way {
     }
 }
 
-impl<'a> Pursuit<'a> {
+impl Pursuit {
     /// Of the lesser gap of the given flanks, one or both.
-    pub fn new(engagement: &'a Engagement, flanks: &'a [Flank]) -> Self {
+    pub fn new(engagement: &Engagement, flanks: &'static [Flank]) -> Self {
         let (tooth, space) = (engagement.tooth(), engagement.space());
         let (own, facing) = (engagement.bodies().0.pieces_of(flanks), engagement.bodies().1.pieces_of(flanks));
         let mut pursuit = Self {
-            engagement,
+            engagement: engagement.clone(),
             flanks,
             rows: Vec::with_capacity(5 * tooth.features().len()),
             keys: Vec::with_capacity(tooth.features().len() * space.features().len()),
@@ -87,6 +92,8 @@ impl<'a> Pursuit<'a> {
             arrived: (f64::INFINITY, Way::default()),
             reach: tooth.reach(own.clone()),
             farthest: tooth.reach(0..tooth.segments().len()),
+            looked_at: Vec::new(),
+            near: Vec::new(),
         };
         // The flanks' own features against the whole ring, what faces them first; the rest of the tooth against what
         // faces the flanks.
@@ -125,14 +132,15 @@ impl<'a> Pursuit<'a> {
         gaps
     }
 
-    /// The clearance at a pose where outlines cross, touch or may hold each other.
-    #[cold]
-    fn overlap(&self, pose: &Pose) -> f64 {
-        let tooth = self.engagement.tooth().posed(pose);
-        let least =
-            |gap: &dyn Fn(Flank) -> f64| self.flanks.iter().map(|&flank| gap(flank)).fold(f64::INFINITY, f64::min);
-        let deepest = least(&|flank| self.engagement.overlap_gap(&tooth, flank));
-        if deepest < 0.0 { deepest } else { least(&|flank| self.engagement.flank(&tooth, flank).gap) }
+    /// Calls `each` for groups of some poses, in order, with all pairs that are near at any of the group, or with none
+    /// where that could not be found out; where outlines overlap the gap counts as 0.
+    pub fn near(&mut self, poses: &[Pose], nearness: &Nearness, each: impl FnMut(&[Pose], Option<&[Pair]>)) {
+        Arch::new().dispatch(Near { pursuit: self, poses, nearness, each });
+    }
+
+    /// No point of the tooth lies farther from its origin.
+    pub const fn farthest(&self) -> f64 {
+        self.farthest
     }
 
     fn travel_to(&mut self, pose: &Pose) -> Way {
@@ -145,31 +153,50 @@ impl<'a> Pursuit<'a> {
 }
 
 /// The work of [`Pursuit::gaps`].
-struct Gaps<'a, 'b> {
-    pursuit: &'a mut Pursuit<'b>,
+struct Gaps<'a> {
+    pursuit: &'a mut Pursuit,
     poses: &'a [Pose],
     gaps: &'a mut Vec<f64>,
 }
 
-impl WithSimd for Gaps<'_, '_> {
+impl WithSimd for Gaps<'_> {
     type Output = ();
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        let Self { pursuit, poses, gaps } = self;
-        for poses in poses.chunks(S::F64_LANES) {
-            let (mut moved, mut turned) = ([0.0; WIDEST], [0.0; WIDEST]);
-            for l in 0..S::F64_LANES {
-                let way = pursuit.travel_to(&poses[l.min(poses.len() - 1)]);
-                (moved[l], turned[l]) = (way.moved, way.turned);
-            }
-            let ways = Ways { moved: Lanes::load(simd, &moved), turned: Lanes::load(simd, &turned) };
-            let found = closest(pursuit, &Poses::new(simd, poses), &ways).to_array();
-            for (pose, &gap) in poses.iter().zip(&found) {
-                let is_free = gap > f64::NEG_INFINITY && pursuit.engagement.stands_free(pose);
-                gaps.push(if is_free { gap } else { pursuit.overlap(pose) });
-            }
-            pursuit.arrived = (found[poses.len() - 1], pursuit.way);
+        for poses in self.poses.chunks(S::F64_LANES) {
+            let ways = Ways::to(simd, self.pursuit, poses);
+            let found = closest(self.pursuit, &Poses::new(simd, poses), &ways, None);
+            self.pursuit.arrived = (found[poses.len() - 1], self.pursuit.way);
+            let Pursuit { engagement, flanks, .. } = &*self.pursuit;
+            self.gaps.extend(poses.iter().zip(found).map(|(pose, gap)| engagement.settled(pose, gap, flanks)));
+        }
+    }
+}
+
+/// The work of [`Pursuit::near`].
+struct Near<'a, F> {
+    pursuit: &'a mut Pursuit,
+    poses: &'a [Pose],
+    nearness: &'a Nearness,
+    each: F,
+}
+
+impl<F: FnMut(&[Pose], Option<&[Pair]>)> WithSimd for Near<'_, F> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(mut self, simd: S) {
+        for poses in self.poses.chunks(S::F64_LANES) {
+            let ways = Ways::to(simd, self.pursuit, poses);
+            let found = closest(self.pursuit, &Poses::new(simd, poses), &ways, Some(self.nearness));
+            self.pursuit.arrived = (found[poses.len() - 1], self.pursuit.way);
+            let Pursuit { engagement, flanks, near, .. } = &*self.pursuit;
+            // Of concentric arcs nothing is known, though they may be apart.
+            let is_unknown =
+                |(pose, gap): (&Pose, f64)| gap == f64::NEG_INFINITY && engagement.settled(pose, gap, flanks) > 0.0;
+            let is_known = !poses.iter().zip(found).any(is_unknown);
+            (self.each)(poses, is_known.then_some(&near[..]));
         }
     }
 }
@@ -182,15 +209,31 @@ struct Ways<S: Simd> {
 }
 
 impl<S: Simd> Ways<S> {
+    /// To each of some poses, the last of which fills the rest.
+    #[inline(always)]
+    fn to(simd: S, pursuit: &mut Pursuit, poses: &[Pose]) -> Self {
+        let (mut moved, mut turned) = ([0.0; WIDEST], [0.0; WIDEST]);
+        for l in 0..S::F64_LANES {
+            let way = pursuit.travel_to(&poses[l.min(poses.len() - 1)]);
+            (moved[l], turned[l]) = (way.moved, way.turned);
+        }
+        Self { moved: Lanes::load(simd, &moved), turned: Lanes::load(simd, &turned) }
+    }
+
     #[inline(always)]
     fn of(&self, simd: S, reach: f64) -> Lanes<S> {
         self.moved + self.turned * Lanes::all(simd, reach)
     }
 }
 
-/// The least distance of any pair; −∞ where outlines cross or touch.
+/// The least distance of any pair; −∞ where outlines cross or touch. With a `nearness` it collects what is near, too.
 #[inline(always)]
-fn closest<S: Simd>(pursuit: &mut Pursuit, poses: &Poses<S>, ways: &Ways<S>) -> Lanes<S> {
+fn closest<S: Simd>(
+    pursuit: &mut Pursuit,
+    poses: &Poses<S>,
+    ways: &Ways<S>,
+    nearness: Option<&Nearness>,
+) -> [f64; WIDEST] {
     let simd = poses.simd();
     // No feature has come farther than this.
     let far = ways.of(simd, pursuit.farthest);
@@ -202,9 +245,12 @@ fn closest<S: Simd>(pursuit: &mut Pursuit, poses: &Poses<S>, ways: &Ways<S>) -> 
     let mut group = Group {
         simd,
         rounding,
-        gaps: Lanes::all(simd, f64::INFINITY),
+        found: PairGaps::new(simd),
         ceilings: ways.of(simd, pursuit.reach) + Lanes::all(simd, ceiling),
+        floor: if nearness.is_some() { 0.0 } else { f64::NEG_INFINITY },
+        slack: nearness.map_or(0.0, |nearness| nearness.slack),
     };
+    pursuit.looked_at.clear();
     // The pair that was closest is probably close again, and at the start a pair of the first row: its distance rules
     // most others out.
     let (number, place) = pursuit.last;
@@ -215,8 +261,9 @@ fn closest<S: Simd>(pursuit: &mut Pursuit, poses: &Poses<S>, ways: &Ways<S>) -> 
     let places = if gap == f64::INFINITY { 0..others.len() } else { place..place + 1 };
     for place in places {
         pursuit.keys[row.first_key + place] = group.pair(&posed, &space[others.start + place], way).0;
+        pursuit.looked_at.push((number, place));
     }
-    let first = poses.first();
+    let first = poses.at(0);
 
     let mut within_far = group.within(far);
     for (number, row) in pursuit.rows.iter_mut().enumerate() {
@@ -230,7 +277,7 @@ fn closest<S: Simd>(pursuit: &mut Pursuit, poses: &Poses<S>, ways: &Ways<S>) -> 
         }
         let travelled = way.least() - rounding;
         let feature = &tooth[row.feature];
-        let bound = feature.bound.posed(first);
+        let bound = feature.bound.posed(&first);
         let other = &pursuit.engagement.teeth_of_space()[row.other];
         row.key = bound.distance_to(&other.circle) + travelled;
         if row.key >= within {
@@ -249,6 +296,7 @@ fn closest<S: Simd>(pursuit: &mut Pursuit, poses: &Poses<S>, ways: &Ways<S>) -> 
                         if *key < within && (number, place) != pursuit.last {
                             let is_closest;
                             (*key, is_closest) = group.pair(&posed, &space[other.features.start + place], way);
+                            pursuit.looked_at.push((number, place));
                             if is_closest {
                                 pursuit.last = (number, place);
                                 (within, within_far) = (group.within(way), group.within(far));
@@ -261,7 +309,17 @@ fn closest<S: Simd>(pursuit: &mut Pursuit, poses: &Poses<S>, ways: &Ways<S>) -> 
         }
         row.key = least.least();
     }
-    group.gaps
+    if let Some(nearness) = nearness {
+        pursuit.near.clear();
+        for &(number, place) in &pursuit.looked_at {
+            let row = &pursuit.rows[number];
+            let other = pursuit.engagement.teeth_of_space()[row.other].features.start + place;
+            if nearness.holds(row.feature, other, poses, group.found.gaps) {
+                pursuit.near.push((row.feature, other));
+            }
+        }
+    }
+    group.found.gaps.to_array()
 }
 
 /// The gaps found so far at a group of poses.
@@ -269,53 +327,28 @@ struct Group<S: Simd> {
     simd: S,
     /// What keys are lowered by (mm).
     rounding: f64,
-    gaps: Lanes<S>,
+    found: PairGaps<S>,
     /// What the gaps do not exceed.
     ceilings: Lanes<S>,
+    /// Gaps below this count as much.
+    floor: f64,
+    /// Pairs farther away than the gap matter too, if by less than this.
+    slack: f64,
 }
 
 impl<S: Simd> Group<S> {
     /// Pairs with greater keys matter at none of the poses, which lie at these ways.
     #[inline(always)]
     fn within(&self, way: Lanes<S>) -> f64 {
-        (self.gaps.min(self.ceilings) + way).greatest()
+        let gaps = self.found.gaps.max(Lanes::all(self.simd, self.floor)).min(self.ceilings);
+        (gaps + way).greatest() + self.slack
     }
 
     /// Takes a pair into account; returns its key and whether it is the closest at any pose.
     #[inline(always)]
     fn pair(&mut self, a: &Posed<'_, S>, b: &Feature, way: Lanes<S>) -> (f64, bool) {
-        let simd = self.simd;
-        let fixed = Posed::fixed(b, simd);
-        let found = facing(a, &fixed);
-        let mut apart = found.apart;
-        if a.feature.is_piece() && b.is_piece() && apart.least() <= MAY_CROSS {
-            apart = apart.max(beside(a, &fixed));
-            if apart.least() <= MAY_CROSS {
-                self.cross(a, b, apart);
-            }
-        }
-        let never = Lanes::all(simd, f64::NEG_INFINITY);
-        let touching = found.gap.at_most(Lanes::all(simd, MAY_CROSS));
-        // An end is not a contact of its own: it has pieces on both sides.
-        let has_end = a.feature.kind == Kind::End || b.kind == Kind::End;
-        let gap = touching.select(if has_end { Lanes::all(simd, f64::INFINITY) } else { never }, found.gap);
-        let gaps = self.gaps.min(gap);
-        let is_closest = (gaps - self.gaps).least() < 0.0;
-        self.gaps = gaps;
-        (((apart.max(Lanes::all(simd, 0.0))) + way).least() - self.rounding, is_closest)
-    }
-
-    /// Marks the poses at which two pieces cross, of those at which they may.
-    #[cold]
-    #[inline(never)]
-    fn cross(&mut self, a: &Posed<'_, S>, b: &Feature, apart: Lanes<S>) {
-        let other = b.piece();
-        let (apart, mut gaps) = (apart.to_array(), self.gaps.to_array());
-        for l in 0..S::F64_LANES {
-            if apart[l] <= MAY_CROSS && intersection::crossings(&a.at(l).piece(), &other).any() {
-                gaps[l] = f64::NEG_INFINITY;
-            }
-        }
-        self.gaps = Lanes::load(self.simd, &gaps);
+        let before = self.found.gaps;
+        let apart = self.found.take(a, b);
+        ((apart + way).least() - self.rounding, (self.found.gaps - before).least() < 0.0)
     }
 }

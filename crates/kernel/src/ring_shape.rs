@@ -3,9 +3,12 @@
 use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
 
-use crate::arc_length::{Panels, Station};
+use pulp::{Scalar, Simd};
+
+use crate::arc_length::{Panels, Stations};
 use crate::error::GeometryError;
-use crate::point::Point;
+use crate::lanes::{Lanes, filled};
+use crate::points::Points;
 
 /// Jumps of w/w0 and its slope below this share are rounding.
 const SMOOTH: f64 = 1e-9;
@@ -41,8 +44,11 @@ impl RingShape {
     pub fn sampled(self) -> Result<SampledShape, GeometryError> {
         self.check()?;
         let panels = Panels::new(&self.breaks(), self.fineness());
-        let at_nodes = panels.nodes.iter().map(|&phi| self.at(phi)).collect();
-        let at_ends = panels.ends.iter().map(|&phi| self.at(phi)).collect();
+        let columns = |angles: &[f64]| {
+            let values: Vec<[f64; 3]> = angles.iter().map(|&phi| self.at(phi)).collect();
+            [0, 1, 2].map(|i| filled(values.iter().map(|value| value[i])))
+        };
+        let (at_nodes, at_ends) = (columns(&panels.nodes), columns(&panels.ends));
         Ok(SampledShape { shape: self, panels: Arc::new(panels), at_nodes, at_ends })
     }
 
@@ -90,15 +96,21 @@ impl RingShape {
 
     /// w/w0 and its first two derivatives at 0 ≤ φ ≤ π/2.
     pub fn at(&self, phi: f64) -> [f64; 3] {
-        self.at_station(Station::at(phi))
+        self.at_stations(Stations::at(phi)).map(|lanes| lanes.to_array()[0])
     }
 
-    pub(crate) fn at_station(&self, phi: Station) -> [f64; 3] {
+    #[inline(always)]
+    pub(crate) fn at_stations<S: Simd>(&self, phi: Stations<S>) -> [Lanes<S>; 3] {
         match self {
             Self::Harmonics(terms) => harmonics(terms, phi.direction),
             Self::Pieces(pieces) => {
-                let index = pieces.partition_point(|q| q.phi_end < phi.t).min(pieces.len() - 1);
-                pieces[index].at_station(phi)
+                let angles = phi.t.to_array();
+                let row = |l: usize| {
+                    let index = pieces.partition_point(|q| q.phi_end < angles[l]).min(pieces.len() - 1);
+                    let RingPiece { p, c, c_phi, s, s_phi, .. } = pieces[index];
+                    [p, c, c_phi, s, s_phi]
+                };
+                ring(Lanes::columns(phi.t.simd(), row), phi)
             }
         }
     }
@@ -127,38 +139,46 @@ impl RingShape {
 pub struct SampledShape {
     pub(crate) shape: RingShape,
     pub(crate) panels: Arc<Panels>,
-    /// w/w0 and two derivatives at the panels' nodes.
-    pub(crate) at_nodes: Vec<[f64; 3]>,
+    /// w/w0 and two derivatives at the panels' nodes, a column each that fills whole registers.
+    pub(crate) at_nodes: [Vec<f64>; 3],
     /// The same at the panels' ends.
-    pub(crate) at_ends: Vec<[f64; 3]>,
+    pub(crate) at_ends: [Vec<f64>; 3],
 }
 
 impl RingPiece {
     fn at(&self, phi: f64) -> [f64; 3] {
-        self.at_station(Station::at(phi))
-    }
-
-    fn at_station(&self, Station { t: phi, direction: Point { x: sin, y: cos } }: Station) -> [f64; 3] {
-        let (along_cos, along_sin) = (self.c + self.c_phi * phi, self.s + self.s_phi * phi);
-        [
-            self.p + along_cos * cos + along_sin * sin,
-            (self.c_phi + along_sin) * cos + (self.s_phi - along_cos) * sin,
-            (2.0 * self.s_phi - along_cos) * cos - (2.0 * self.c_phi + along_sin) * sin,
-        ]
+        let coefficients = [self.p, self.c, self.c_phi, self.s, self.s_phi];
+        ring(coefficients.map(|value| Lanes::all(Scalar, value)), Stations::at(phi)).map(|lanes| lanes.to_array()[0])
     }
 }
 
-fn harmonics(terms: &[f64], direction: Point) -> [f64; 3] {
+/// A loaded ring's displacement from p, c, c_phi, s and s_phi.
+#[inline(always)]
+fn ring<S: Simd>([p, c, c_phi, s, s_phi]: [Lanes<S>; 5], phi: Stations<S>) -> [Lanes<S>; 3] {
+    let two = Lanes::all(phi.t.simd(), 2.0);
+    let Points { x: sin, y: cos } = phi.direction;
+    let (along_cos, along_sin) = (c + c_phi * phi.t, s + s_phi * phi.t);
+    [
+        p + along_cos * cos + along_sin * sin,
+        (c_phi + along_sin) * cos + (s_phi - along_cos) * sin,
+        (two * s_phi - along_cos) * cos - (two * c_phi + along_sin) * sin,
+    ]
+}
+
+#[inline(always)]
+fn harmonics<S: Simd>(terms: &[f64], direction: Points<S>) -> [Lanes<S>; 3] {
+    let all = |value| Lanes::all(direction.x.simd(), value);
     // cos 2nφ and sin 2nφ by rotation, from sin φ and cos φ.
-    let (sin, cos) = (2.0 * direction.x * direction.y, (direction.y - direction.x) * (direction.y + direction.x));
-    let (mut c, mut s, mut n) = (1.0, 0.0, 0.0);
-    let mut sum = [0.0; 3];
-    for term in terms {
-        sum[0] += term * c;
-        sum[1] -= term * n * s;
-        sum[2] -= term * n * n * c;
+    let (sin, cos) = (all(2.0) * direction.x * direction.y, (direction.y - direction.x) * (direction.y + direction.x));
+    let (mut c, mut s, mut n) = (all(1.0), all(0.0), all(0.0));
+    let mut sum = [all(0.0); 3];
+    for &term in terms {
+        let term = all(term);
+        sum[0] = sum[0] + term * c;
+        sum[1] = sum[1] - term * n * s;
+        sum[2] = sum[2] - term * n * n * c;
         (c, s) = (c * cos - s * sin, s * cos + c * sin);
-        n += 2.0;
+        n = n + all(2.0);
     }
     sum
 }

@@ -70,13 +70,17 @@ impl ConvexCorner {
             piece,
         })
     }
+
+    /// How far from the corner a tied point may be: one of depth d lies d / sharpness from a corner with straight sides.
+    pub fn reach(&self, around: &Neighbourhood) -> f64 {
+        (1.0 + STRAIGHT) * around.depth / self.sharpness + around.moved
+    }
 }
 
 /// Whether no tied point of the outline on the bisector of a corner, whose body stands at `pose` in the outline's frame,
 /// can be the deepest one, anywhere in the neighbourhood. `may_be_witness` says whether the corner itself counts.
 pub fn harmless(side: &Side, corner: &ConvexCorner, pose: &Pose, may_be_witness: bool, around: &Neighbourhood) -> bool {
-    // A tied point of depth d lies d / sharpness from a corner with straight sides.
-    let reach = (1.0 + STRAIGHT) * around.depth / corner.sharpness + around.moved;
+    let reach = corner.reach(around);
     // Farther in than its sides are long, a tied point may be near other pieces.
     if corner.side < reach {
         return false;

@@ -34,6 +34,10 @@ fn varying(rows: usize) -> Batch {
     }
 }
 
+fn evaluate_with(batch: &Batch, question: &Question) -> Vec<Result<Metrics, GeometryError>> {
+    batch.evaluate(question, &AtomicBool::new(false)).unwrap()
+}
+
 fn evaluate(batch: &Batch, threads: usize) -> Vec<Result<Metrics, GeometryError>> {
     let pool = ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
     pool.install(|| batch.evaluate(&QUESTION, &AtomicBool::new(false))).unwrap()
@@ -54,6 +58,72 @@ fn rows_are_the_same_on_any_number_of_threads_and_one_by_one() {
             curves: Column::Same(curves[row].clone()),
         };
         assert_eq!(evaluate(&alone, 1)[0], one[row]);
+    }
+}
+
+/// More rows than are taken one by one.
+const FAMILY: usize = 20;
+
+/// Rows of one design that differ by a given share, which are evaluated together.
+fn family(tooth: &Tooth, w0: f64, share: f64) -> Batch {
+    // Low-discrepancy shares in −1 … 1 (the multiples of irrational numbers).
+    let of = |row: usize, number: f64| share * (2.0 * (row as f64 * number).fract() - 1.0);
+    let tooth = |row| Tooth {
+        tip_radius: tooth.tip_radius * (1.0 + of(row, 0.7548)),
+        flank_angle: tooth.flank_angle * (1.0 + of(row, 0.5698)),
+        offset: tooth.offset + MODULE * of(row, 0.6180),
+        ..*tooth
+    };
+    let ring = |row| Tooth { offset: MODULE * of(row, 0.4142), ..circular_spline() };
+    Batch {
+        rows: FAMILY,
+        flexsplines: Column::Each((0..FAMILY).map(|row| spec(&tooth(row))).collect()),
+        circular_splines: Column::Each((0..FAMILY).map(|row| spec(&ring(row))).collect()),
+        curves: Column::Each((0..FAMILY).map(|row| curve(w0 * (1.0 + of(row, 0.3247)))).collect()),
+    }
+}
+
+fn assert_rows_are_as_each_alone(batch: &Batch, question: &Question, family: &str) {
+    let together = evaluate_with(batch, question);
+    let (Column::Each(teeth), Column::Each(rings), Column::Each(curves)) =
+        (&batch.flexsplines, &batch.circular_splines, &batch.curves)
+    else {
+        unreachable!()
+    };
+    for (row, metrics) in together.iter().enumerate() {
+        let alone = Batch {
+            rows: 1,
+            flexsplines: Column::Same(teeth[row].clone()),
+            circular_splines: Column::Same(rings[row].clone()),
+            curves: Column::Same(curves[row].clone()),
+        };
+        assert!(metrics.is_ok(), "{metrics:?}");
+        assert_eq!(&evaluate_with(&alone, question)[0], metrics, "{family}, row {row}");
+    }
+}
+
+/// Free, touching, wide apart and deep in each other; from rounding to more than can be a neighbour.
+#[test]
+fn similar_rows_have_the_numbers_of_each_alone() {
+    for (offset, w0) in [(-0.0072, 0.848), (-0.004, 0.848), (-0.02, 0.7), (0.1, 0.9)] {
+        let base = Tooth { offset, ..flexspline() };
+        for share in [0.0, 1e-14, 1e-9, 1e-6, 1e-4, 1e-3, 1e-2] {
+            let in_motion = if offset < -0.005 && share <= 1e-4 { QUESTION.in_motion } else { None };
+            let question = Question { play: false, in_motion, ..QUESTION };
+            assert_rows_are_as_each_alone(&family(&base, w0, share), &question, &format!("{offset}, {share}"));
+        }
+    }
+}
+
+/// Whatever is closest may face nothing in the design that the others are near, but just beside: many teeth see many
+/// such changes from one feature to the next.
+#[test]
+fn closest_features_change_within_a_family() {
+    let question = Question { play: false, in_motion: None, ..QUESTION };
+    for step in 0..150 {
+        let (w0, offset) = (0.75 + 0.001 * f64::from(step), -0.05 - 0.0001 * f64::from(step));
+        let batch = family(&Tooth { offset, ..flexspline() }, w0, 2e-3);
+        assert_rows_are_as_each_alone(&batch, &question, &format!("w0 {w0}"));
     }
 }
 

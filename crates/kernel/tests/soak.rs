@@ -15,6 +15,7 @@ use strainwave_kernel::{Clearance, ContactKind, Engagement, Point, Pose};
 
 const POSES: u64 = 1_000_000;
 const POSES_PER_DESIGN: u64 = 50;
+const FAMILIES: u64 = 10_000;
 const ATTEMPTS: u32 = 1000;
 /// Greatest difference (mm) where the witness is smooth, and otherwise.
 const SMOOTH_MM: f64 = 1e-6;
@@ -162,4 +163,15 @@ fn random_poses_against_brute_force() {
     );
     let faults = &tally.faults;
     assert!(faults.is_empty(), "{} differences:\n{}", faults.len(), faults[..faults.len().min(20)].join("\n"));
+}
+
+/// Designs that differ little, evaluated together and one by one.
+#[test]
+#[ignore = "takes many minutes: make soak"]
+fn families_have_the_numbers_of_each_alone() {
+    let (families, first_seed) = (number("SOAK_FAMILIES", FAMILIES), number("SOAK_SEED", 0));
+    for seed in first_seed..first_seed + families {
+        println!("family {seed}");
+        fuzz::batch::check_family(&Random(seed).bytes());
+    }
 }

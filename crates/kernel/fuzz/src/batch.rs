@@ -4,25 +4,36 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use strainwave_kernel::{
-    Batch, Column, CurveForm, CurveSpec, Engagement, GeometryError, Metrics, NeutralCurve, Profile, ProfileSpec,
-    Question,
+    Batch, Column, CurveForm, CurveSpec, Engagement, Gear, GeometryError, Metrics, NeutralCurve, Point, Profile,
+    ProfileSpec, Question, Segment,
 };
 
 use super::design;
 use super::draw::Draw;
 
 pub fn check(bytes: &[u8]) {
-    let (batch, question) = draw_batch(&mut Draw::new(bytes));
-    let answers = batch.evaluate(&question, &AtomicBool::new(false)).expect("nobody has cancelled it");
+    let draw = &mut Draw::new(bytes);
+    let (batch, question) = if draw.below(4) == 3 { draw_family(draw) } else { draw_batch(draw) };
+    check_batch(&batch, &question);
+}
+
+/// The same with designs that differ little, which are evaluated together.
+pub fn check_family(bytes: &[u8]) {
+    let (batch, question) = draw_family(&mut Draw::sensible(bytes));
+    check_batch(&batch, &question);
+}
+
+fn check_batch(batch: &Batch, question: &Question) {
+    let answers = batch.evaluate(question, &AtomicBool::new(false)).expect("nobody has cancelled it");
     assert_eq!(answers.len(), batch.rows);
     for (row, answer) in answers.iter().enumerate() {
         // As text, so that two numbers that are none are the same.
-        assert_eq!(format!("{answer:?}"), format!("{:?}", alone(&batch, row, &question)), "row {row}");
+        assert_eq!(format!("{answer:?}"), format!("{:?}", alone(batch, row, question)), "row {row}");
         if let Ok(metrics) = answer {
             check_metrics(metrics);
         }
     }
-    assert!(batch.rows == 0 || batch.evaluate(&question, &AtomicBool::new(true)).is_none());
+    assert!(batch.rows == 0 || batch.evaluate(question, &AtomicBool::new(true)).is_none());
 }
 
 fn draw_batch(draw: &mut Draw) -> (Batch, Question) {
@@ -47,6 +58,54 @@ fn draw_batch(draw: &mut Draw) -> (Batch, Question) {
         curves: column(draw, rows, |draw| curve_spec(draw, module, teeth)),
     };
     (batch, question)
+}
+
+/// More rows than are taken one by one, all near one design: by 1e-12 up to a hundredth.
+fn draw_family(draw: &mut Draw) -> (Batch, Question) {
+    draw.keep_sensible();
+    let module = draw.magnitude(0.1, 5.0);
+    let teeth = draw.whole(10, 120);
+    let rows = 9 + usize::from(draw.below(12));
+    let spread = draw.magnitude(1e-12, 1e-2);
+    let (flexspline, circular_spline) =
+        (profile_spec(draw, module, teeth, false), profile_spec(draw, module, teeth + 2, true));
+    let curve = curve_spec(draw, module, teeth);
+    let batch = Batch {
+        rows,
+        flexsplines: around(draw, rows, &flexspline, |draw, spec| similar_profile(draw, spec, spread)),
+        circular_splines: around(draw, rows, &circular_spline, |draw, spec| similar_profile(draw, spec, spread)),
+        curves: around(draw, rows, &curve, |draw, spec| similar_curve(draw, spec, spread)),
+    };
+    let in_motion = (draw.below(4) == 3).then_some(1e-3 * module);
+    (batch, Question { threshold: 0.01 * module, play: false, radial: false, in_motion })
+}
+
+fn around<T: Clone>(draw: &mut Draw, rows: usize, one: &T, mut similar: impl FnMut(&mut Draw, &T) -> T) -> Column<T> {
+    if draw.coin() { Column::Same(one.clone()) } else { Column::Each((0..rows).map(|_| similar(draw, one)).collect()) }
+}
+
+/// The flank turned and enlarged a little, and the other numbers changed as much.
+fn similar_profile(draw: &mut Draw, spec: &ProfileSpec, spread: f64) -> ProfileSpec {
+    let [turn, growth, offset, fillet, dedendum] = [(); 5].map(|()| spread * draw.number(-1.0, 1.0));
+    let size = spec.gear.addendum;
+    let piece = |piece: &Segment| {
+        let (start, normal) = (piece.start(), piece.start_normal());
+        let moved = Point::new(start.x + turn * start.y, start.y - turn * start.x) * (1.0 + growth);
+        let turned = Point::new(normal.x + turn * normal.y, normal.y - turn * normal.x);
+        let scale = 1.0 / (1.0 + growth);
+        Segment::new(moved, turned.angle(), piece.curvature() * scale, piece.length() / scale)
+    };
+    ProfileSpec {
+        gear: Gear { dedendum: spec.gear.dedendum + dedendum * size, ..spec.gear },
+        flank: spec.flank.iter().map(piece).collect(),
+        offset: spec.offset + offset * size,
+        fillet_radius: if spec.fillet_radius > 0.0 { spec.fillet_radius * (1.0 + fillet) } else { 0.0 },
+    }
+}
+
+fn similar_curve(draw: &mut Draw, spec: &CurveSpec, spread: f64) -> CurveSpec {
+    let [w0, radius] = [(); 2].map(|()| spread * draw.number(-1.0, 1.0));
+    CurveSpec { w0: spec.w0 * (1.0 + w0), radius: spec.radius + radius * spec.w0, form: spec.form.clone() }
 }
 
 fn column<T>(draw: &mut Draw, rows: usize, mut each: impl FnMut(&mut Draw) -> T) -> Column<T> {
