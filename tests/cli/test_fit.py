@@ -102,6 +102,31 @@ def test_what_cannot_be_exits_2_with_one_message(
     assert "Traceback" not in found.err
 
 
+@pytest.mark.parametrize(
+    ("kind", "options", "problem"),
+    [
+        ("drawing", ["--noise", 1], "tooth.dxf: holds no measured points; leave out the noise (--noise)"),
+        ("pieces", ["--noise", 0], "flank.json: holds no measured points"),
+        ("pieces", ["--layer", "tooth"], "flank.json: is no drawing (.dxf) and has no layers; leave out the layer"),
+        ("points", ["--layer", "tooth"], "tooth.csv: is no drawing (.dxf) and has no layers"),
+        ("drawing", ["--dedendum", 1.25], "to 1.2120 modules at most, short of the dedendum of 1.25 modules; ask for"),
+        ("points", ["--addendum", 3], "continued by up to 0.25 modules of 0.8 mm: choose the addendum (--addendum)"),
+    ],
+)
+def test_an_option_that_cannot_be_obeyed_is_refused(
+    kind: str, options: list[str], problem: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """None is passed over in silence."""
+    path = {
+        "drawing": lambda: drawing(tmp_path, "flexspline", whole=True),
+        "pieces": lambda: pieces_file(tmp_path, "flexspline"),
+        "points": lambda: point_file(tmp_path, points("flexspline", whole=True)),
+    }[kind]()
+    found = run(capsys, "fit", path, "--design", DESIGN, "--spline", "flexspline", *options)
+    assert (found.code, found.out) == (2, "")
+    assert problem in found.err
+
+
 def test_a_flank_that_makes_no_tooth_names_the_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """The other gear's tooth, too thick for this one."""
     path, out = drawing(tmp_path, "flexspline", whole=True), tmp_path / "out.toml"

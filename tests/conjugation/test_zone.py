@@ -20,6 +20,7 @@ def zone(first: float, last: float, piece: str = "convex arc") -> ConjugateZone:
         ([(0.0, 5.0), (1.0, 2.0), (2.0, 4.0)], [(1.0, 4.0)]),
         ([(0.0, 2.0), (0.0, 1.0), (0.5, 2.0)], [(0.0, 2.0)]),
         ([(0.0, 1.0 + 1e-9), (1.0, 3.0)], []),  # rounding where contact passes on
+        ([(0.0, 5.0), (1.0, 2.0 - 1e-9), (2.0, 4.0)], [(1.0, 4.0)]),
     ],
 )
 def test_double_contact_is_where_two_zones_share_indices(spans: list[Span], double: list[Span]) -> None:

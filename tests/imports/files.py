@@ -11,8 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from strainwave.design import Design
-from strainwave.export import flank_dxf, flank_points, points_csv, tooth_segments
+from strainwave.export import flank_dxf, points_csv
 from strainwave.geometry import Geometry
+from strainwave.outlines import flank_points, tooth_segments
 from tests.designs import CASE_STUDY, case
 
 Floats = NDArray[np.float64]

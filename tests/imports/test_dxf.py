@@ -93,9 +93,23 @@ def test_one_layer_of_many(tmp_path: Path) -> None:
     with pytest.raises(StrainwaveError, match="holds 2 separate outlines, with ends at"):
         import_flank(path, CALIBRATED, "flexspline")
     with pytest.raises(
-        StrainwaveError, match=r"no lines, arcs or curves on layer nothing; its layers are 0, Tooth, axes"
+        StrainwaveError, match=r"no lines, arcs or curves on layer nothing; there are some on Tooth, axes"
     ):
         import_flank(path, CALIBRATED, "flexspline", ImportHints(layer="nothing"))
+
+
+def test_layer_0_in_a_block_is_the_layer_of_its_reference(tmp_path: Path) -> None:
+    """Through an inner reference on layer 0; what has a layer of its own in the block keeps it."""
+    document = new("R2010", units=4)
+    inner, outer = document.blocks.new("INNER"), document.blocks.new("OUTER")
+    draw_separately(inner)
+    outer.add_blockref("INNER", (0, 0))
+    outer.add_line((-5, 0), (5, 0), dxfattribs={"layer": "axes"})
+    document.modelspace().add_blockref("OUTER", (0, 0), dxfattribs={"layer": "tooth"})
+    path = save(tmp_path, document)
+    assert difference_um(import_flank(path, CALIBRATED, "flexspline", ImportHints(layer="tooth")).design) < 1e-3
+    with pytest.raises(StrainwaveError, match="no lines, arcs or curves on layer 0; there are some on axes, tooth"):
+        import_flank(path, CALIBRATED, "flexspline", ImportHints(layer="0"))
 
 
 @pytest.mark.parametrize("weights", [None, [1.0, 0.7, 1.3, 0.9, 1.0, 1.2, 1.0]])

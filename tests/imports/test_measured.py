@@ -10,6 +10,9 @@ import pytest
 from strainwave import analyze
 from strainwave.errors import StrainwaveError
 from strainwave.imports import ImportHints, import_flank
+from strainwave.imports.measured_flank import MeasuredFlank
+from strainwave.imports.placement import Placement
+from strainwave.profiles import Gear
 from tests.imports.files import CALIBRATED, SPLINES, Floats, Spline, in_gear_frame, outline, point_file, points
 from tests.imports.flank_distance import greatest_distance
 
@@ -55,6 +58,26 @@ def test_the_deviation_shrinks_with_the_root_of_the_number_of_points(tmp_path: P
             )
         rms.append(float(np.sqrt(np.mean(np.square(deviations)))))
     assert 2.0 < rms[0] / rms[1] < 8.0
+
+
+@pytest.mark.parametrize(
+    ("spline", "addendum", "dedendum"), [("flexspline", 0.9, 1.212), ("circular_spline", 0.899, 1.15)]
+)
+def test_land_and_floor_lie_amid_their_points(spline: Spline, addendum: float, dedendum: float) -> None:
+    """The mean over scans with a noise of 5 um is right within 0.8 um, though the flexspline's floor ends in a fillet
+    and the land in a corner whose points lie as near to it as the noise: those would move it by 3 and 1.5 um."""
+    gear = Gear.of(0.8, getattr(CALIBRATED, spline).teeth, internal=spline == "circular_spline")
+    levels = []
+    for seed in range(6):
+        scan = measured(spline, 5e-3, seed)
+        placement = Placement.of(scan, gear, center=None, axis_deg=None)
+        found = MeasuredFlank.of(scan, placement, axis_given=True, noise_mm=5e-3, tolerance_mm=5e-5)
+        assert found.tip_height_mm is not None
+        assert found.root_height_mm is not None
+        levels.append([found.tip_height_mm, found.root_height_mm])
+    tip, root = np.mean(levels, axis=0)
+    assert tip == pytest.approx(0.8 * addendum, abs=8e-4)
+    assert root == pytest.approx(-0.8 * dedendum, abs=8e-4)
 
 
 def test_points_far_off_are_left_out(tmp_path: Path) -> None:

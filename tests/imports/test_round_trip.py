@@ -10,6 +10,7 @@ import pytest
 
 from strainwave import analyze, dumps, loads
 from strainwave.design import Design
+from strainwave.errors import StrainwaveError
 from strainwave.imports import ImportHints, import_flank
 from tests.designs import case
 from tests.imports.files import (
@@ -110,6 +111,15 @@ def test_the_flank_is_cut_and_continued_to_the_circles_asked_for(tmp_path: Path)
     assert analyze(found.design).teeth.backlash_um == pytest.approx(
         analyze(expected).teeth.backlash_um, abs=1e-4, nan_ok=True
     )
+
+
+def test_a_circle_that_a_report_names_can_be_asked_for(tmp_path: Path) -> None:
+    """The fillet runs level at 1.212 modules, and a report rounds to 1e-4."""
+    path = drawing(tmp_path, "flexspline", whole=True)
+    found = import_flank(path, CALIBRATED, "flexspline", ImportHints(addendum=0.9, dedendum=1.21205))
+    assert found.profile["dedendum"] == pytest.approx(1.212, abs=1e-6)
+    with pytest.raises(StrainwaveError, match=r"at most, short of the dedendum of 1.2122 modules"):
+        import_flank(path, CALIBRATED, "flexspline", ImportHints(dedendum=1.2122))
 
 
 def test_a_mixed_pair(tmp_path: Path) -> None:

@@ -8,9 +8,10 @@ from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
 from strainwave.conjugation import Conjugate, Spline, conjugate
+from strainwave.design import load
 from strainwave.plots import picture_bytes
 from strainwave.plots.style import BLUE, SKY, VERMILION
-from tests.designs import case
+from tests.designs import CASE_STUDY, case
 
 Floats = NDArray[np.float64]
 
@@ -57,6 +58,12 @@ def test_the_zones_are_drawn_where_the_result_has_them(result: Conjugate) -> Non
     assert kept[:, 0].max() == pytest.approx(max(zone.phi_deg[1] for zone in result.zones), abs=1e-9)
     assert len(drawn(zones, VERMILION)) == len(result.envelope)
     assert zones.get_ylim() == (result.generation.mate.length, 0.0)
+
+
+def test_neighbouring_pieces_of_one_name_are_named_once() -> None:
+    """The flank of an involute is a run of convex arcs."""
+    zones = conjugate(load(CASE_STUDY.parent / "involute" / "cosine.toml")).plot().axes[1]
+    assert [text.get_text() for text in zones.texts] == ["tip land", "convex arc", "root floor"]
 
 
 def test_the_picture_is_the_same_bytes_each_time(result: Conjugate) -> None:

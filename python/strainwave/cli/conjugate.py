@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import Annotated, Literal
 
 import typer
 
 from strainwave.cli.options import AsJson, DesignFile, Force
-
-if TYPE_CHECKING:
-    from strainwave.conjugation import Conjugate
 
 
 def conjugate(
@@ -40,9 +36,10 @@ def conjugate(
     """The profile (arcs and lines) that one spline generates on the other, without backlash where they touch."""
     from functools import partial
 
-    from strainwave.cli.delivery import write_all
+    from strainwave.cli.delivery import deliver
     from strainwave.cli.naming import naming
     from strainwave.cli.pictures import check_picture, write_picture
+    from strainwave.cli.tables.conjugate import conjugate_report
     from strainwave.conjugation import conjugate as compute
     from strainwave.design import load, save
     from strainwave.whole_file import check_free
@@ -52,20 +49,10 @@ def conjugate(
         check_free(out, overwrite=force)
     with naming(design):
         result = compute(load(design), of=of, tolerance_um=tolerance)
-    writers: list[Callable[[], None]] = [partial(write_picture, result, plot, overwrite=force)]
-    if out is not None:
-        writers.append(partial(save, result.design, out, overwrite=force))
-    try:
-        _print(result, as_json)
-    finally:  # a reader who goes away, or a full output, costs no file
-        write_all(writers)
-
-
-def _print(result: Conjugate, as_json: bool) -> None:
-    if as_json:
-        typer.echo(result.to_json())
-        return
-    from strainwave.cli.console import say
-    from strainwave.cli.tables.conjugate import conjugate_report
-
-    say(*conjugate_report(result))
+    deliver(
+        result,
+        conjugate_report,
+        [(out, partial(save, result.design)), (plot, partial(write_picture, result))],
+        as_json=as_json,
+        overwrite=force,
+    )

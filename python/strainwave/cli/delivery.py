@@ -44,12 +44,12 @@ def deliver(
     try:
         _print(result, report, as_json)
     finally:
-        write_all([partial(write, path, overwrite=overwrite) for path, write in files if path is not None])
+        _write_all([partial(write, path, overwrite=overwrite) for path, write in files if path is not None])
     if getattr(result, "interrupted", False):
         raise typer.Exit(INTERRUPTED)
 
 
-def write_all(writers: Sequence[Callable[[], object]]) -> None:
+def _write_all(writers: Sequence[Callable[[], object]]) -> None:
     """Write every file, also where another cannot be written; one ``StrainwaveError`` names those that were not."""
     failures = []
     for write in writers:

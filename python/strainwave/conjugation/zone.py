@@ -89,7 +89,7 @@ def in_double_contact(zones: Iterable[ConjugateZone]) -> tuple[Span, ...]:
     for first, last in pairwise(sorted({index for zone in zones for index in zone.index})):
         middle = 0.5 * (first + last)
         if sum(zone.index[0] < middle < zone.index[1] for zone in zones) > 1:
-            if found and found[-1][1] == first:
+            if found and first - found[-1][1] < LEAST_SPAN:
                 first = found.pop()[0]
             found.append((first, last))
     return tuple(span for span in found if span[1] - span[0] > LEAST_SPAN)

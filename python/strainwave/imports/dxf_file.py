@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import io
 import logging
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -46,9 +46,11 @@ def read_dxf(
     tolerance = tolerance_mm / mm_of(unit, module)
     try:
         with _failing_as("holds an entity that cannot be read"):
-            elements = [element for entity in _entities(drawing, layer) for element in elements_of(entity, tolerance)]
+            drawn = list(_entities(drawing))
+            wanted = [entity for entity, own in drawn if layer is None or own.lower() == layer.lower()]
+            elements = [element for entity in wanted for element in elements_of(entity, tolerance)]
         if not elements:
-            raise StrainwaveError(f"holds no lines, arcs or curves{_on(layer)}{_layers(drawing)}")
+            raise StrainwaveError(f"holds no lines, arcs or curves{_on(layer, [own for _, own in drawn])}")
         return chain_of_elements(elements, gap=GAP_MM / mm_of(unit, module)), unit
     except StrainwaveError as error:
         raise StrainwaveError(f"{path}: {error}") from None
@@ -84,13 +86,14 @@ def _failing_as(message: str) -> Iterator[None]:
         log.disabled = disabled
 
 
-def _entities(drawing: Drawing, layer: str | None) -> Iterator[DXFGraphic]:
-    """What is drawn in model space, blocks resolved, up to a number of entities and a depth of blocks."""
+def _entities(drawing: Drawing) -> Iterator[tuple[DXFGraphic, str]]:
+    """What is drawn in model space and on which layer, blocks resolved, up to a number of entities and a depth of
+    blocks. What lies on layer 0 in a block is on the layer of the block's reference."""
     looked_at = 0
-    waiting: list[tuple[Iterator[DXFGraphic], int]] = [(iter(drawing.modelspace()), 0)]
+    waiting: list[tuple[Iterator[DXFGraphic], int, str]] = [(iter(drawing.modelspace()), 0, "0")]
     while waiting:
-        entity = next(waiting[-1][0], None)
-        depth = waiting[-1][1]
+        entities, depth, outer_layer = waiting[-1]
+        entity = next(entities, None)
         if entity is None:
             waiting.pop()
             continue
@@ -100,21 +103,19 @@ def _entities(drawing: Drawing, layer: str | None) -> Iterator[DXFGraphic]:
             raise StrainwaveError(
                 f"holds more than {MOST_ENTITIES} entities, blocks resolved; keep the outline of one tooth"
             )
-        kind = entity.dxftype()
-        if kind == "INSERT":
+        layer = outer_layer if entity.dxf.layer == "0" else entity.dxf.layer
+        if entity.dxftype() == "INSERT":
             if depth == DEEPEST_BLOCK:
                 raise StrainwaveError(f"nests blocks more than {DEEPEST_BLOCK} deep; explode them in the CAD program")
             if insert.mcount > 1:
                 raise StrainwaveError("repeats a block in rows or columns; keep the outline of one tooth")
-            waiting.append((insert.virtual_entities(), depth + 1))
-        elif kind in DRAWN and (layer is None or entity.dxf.layer.lower() == layer.lower()):
-            yield entity
+            waiting.append((insert.virtual_entities(), depth + 1, layer))
+        elif entity.dxftype() in DRAWN:
+            yield entity, layer
 
 
-def _on(layer: str | None) -> str:
-    return "" if layer is None else f" on layer {shown_text(layer)}"
-
-
-def _layers(drawing: Drawing) -> str:
-    names = sorted({entity.dxf.layer for entity in drawing.modelspace()})
-    return f"; its layers are {', '.join(shown_text(name) for name in names[:10])}" if names else ""
+def _on(layer: str | None, others: Iterable[str]) -> str:
+    if layer is None:
+        return ""
+    names = ", ".join(shown_text(name) for name in sorted(set(others))[:10])
+    return f" on layer {shown_text(layer)}{f'; there are some on {names}' if names else ''}"

@@ -31,6 +31,8 @@ GREATEST_ASYMMETRY_UM = 10.0
 ROUNDING_MM = 1e-5
 # A fillet is tangent to the root circle, and rounding may part the two; so much of it (modules) is left off.
 TANGENCY = 1e-9
+# So far (modules) a number may be from that of a report, which gives four places.
+PRINTED = 1e-4
 NOTHING_GIVEN = ImportHints()
 
 
@@ -47,6 +49,7 @@ def import_flank(
     teeth = getattr(design, spline).teeth
     gear = Gear.of(design.module, teeth, internal=spline == "circular_spline")
     kind = _kind_of(path)
+    _check_apply(hints, path, kind)
     tolerance_um = hints.tolerance_um or (POINTS_TOLERANCE_UM if kind == "points" else CURVE_TOLERANCE_UM)
     source, unit = _read(path, kind, hints, tolerance_um / MICROMETRES_PER_MM, design.module)
     try:
@@ -76,6 +79,14 @@ def import_flank(
 def _kind_of(path: Path) -> Kind:
     kinds: dict[str, Kind] = {".dxf": "drawing", ".json": "pieces"}
     return kinds.get(path.suffix.lower(), "points")
+
+
+def _check_apply(hints: ImportHints, path: Path, kind: Kind) -> None:
+    """A hint that says nothing of the file is a mistake."""
+    if hints.layer is not None and kind != "drawing":
+        raise StrainwaveError(f"{path}: is no drawing (.dxf) and has no layers; leave out the layer (--layer)")
+    if hints.noise_um is not None and kind != "points":
+        raise StrainwaveError(f"{path}: holds no measured points; leave out the noise (--noise)")
 
 
 def _read(
@@ -130,8 +141,18 @@ def _table(found: DrawnFlank | MeasuredFlank, hints: ImportHints, module: float)
     tip = tip if hints.addendum is None else hints.addendum * module
     root = root if hints.dedendum is None else -hints.dedendum * module
     chain = reaching(found.chain, found.placement, tip_height=float(tip), root_height=float(root))
-    ends = found.placement.heights_in_tooth(chain.points[[0, -1]]) / module
-    return pieces_table(chain.segments, module, addendum=float(ends[0]), dedendum=float(-ends[1]) - TANGENCY)
+    addendum, dedendum = (found.placement.heights_in_tooth(chain.points[[0, -1]]) / module * [1.0, -1.0]).tolist()
+    _check_reached("addendum", hints.addendum, addendum)
+    _check_reached("dedendum", hints.dedendum, dedendum)
+    return pieces_table(chain.segments, module, addendum=addendum, dedendum=dedendum - TANGENCY)
+
+
+def _check_reached(name: str, asked: float | None, reached: float) -> None:
+    if asked is not None and asked - reached > PRINTED:
+        raise StrainwaveError(
+            f"has a flank that leads to {reached:.4f} modules at most, short of the {name} of {asked:g} modules; ask "
+            f"for no more (--{name}), or leave it out"
+        )
 
 
 def _scatter(found: MeasuredFlank) -> Scatter:

@@ -110,11 +110,17 @@ class _Ends:
 
 
 def _level_of(side: Floats, heights: Floats, level: float) -> float | None:
-    """Height of the land (`level` < 0) or the floor (> 0), where points run along it; None where none do."""
+    """Height of the land (`level` < 0) or the floor (> 0), where points run along it; None where none do.
+
+    It is that of the half away from the flank: by the flank, a fillet's end or a corner's would move the median.
+    """
     extreme = heights.max() if level < 0.0 else heights.min()
     run = np.abs(heights - extreme) < 2.0 * abs(level)
     is_long = np.ptp(side[run, 0]) > 6.0 * abs(level)
-    return float(np.median(heights[run])) if is_long and np.count_nonzero(run) >= 3 else None
+    if not is_long or np.count_nonzero(run) < 3:
+        return None
+    half = np.count_nonzero(run) // 2
+    return float(np.median(heights[run][:half] if level < 0.0 else heights[run][-half:]))
 
 
 def _estimated_noise(sides: Sequence[Floats], placement: Placement, tolerance_mm: float) -> float:

@@ -13,6 +13,7 @@ from strainwave.imports.drawn_chain import DrawnChain
 from strainwave.imports.placement import Placement
 
 FARTHEST = 0.25  # modules; a flank that ends farther from its circle is not continued to it
+CHOSEN_BY = {"tip": "the addendum (--addendum)", "root": "the dedendum (--dedendum)"}
 STEPS = 80
 PLACES = 2001
 
@@ -52,7 +53,8 @@ def _ended(chain: DrawnChain, placement: Placement, height: float, circle: str) 
         high, low = max(heights[0], heights[-1]), min(heights[0], heights[-1])
         raise StrainwaveError(
             f"has a flank from {high:.6g} to {low:.6g} mm over the pitch circle, and its {circle} circle is to lie at "
-            f"{height:.6g} mm"
+            f"{height:.6g} mm. It is cut, or continued by up to {FARTHEST:g} modules of {module:g} mm: choose "
+            f"{CHOSEN_BY[circle]} accordingly"
         )
     return _moved_end(chain.part(0, last + 1), placement, height, sign)
 

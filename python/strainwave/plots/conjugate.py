@@ -97,8 +97,7 @@ def _seen(branch: Branch, first: float, last: float, view: View) -> tuple[Floats
 def _draw_zones(axes: Axes, conjugate: Conjugate) -> None:
     generation, module = conjugate.generation, conjugate.given.module
     _draw_branches(axes, conjugate, lambda index, contacts: (np.degrees(generation.motion.phi(index)), contacts.u))
-    knots, names = generation.mate.knots, piece_names(generation.mate)
-    for name, begin, end in zip(names, knots[:-1], knots[1:], strict=True):
+    for name, begin, end in _named_spans(generation.mate):
         axes.axhline(end, color=GREY, lw=0.6, ls=(0, (1, 2)))
         if end - begin > LEAST_NAMED * module:
             axes.text(0.99, 0.5 * (begin + end), name, transform=axes.get_yaxis_transform(), ha="right", va="center",
@@ -107,6 +106,13 @@ def _draw_zones(axes: Axes, conjugate: Conjugate) -> None:
     axes.set_title("Conjugate zones of the right flank")
     axes.set_xlabel("tooth's angle from the generator's major axis, °")
     axes.set_ylabel(f"arc length on the {generation.mate_name} from the middle of its tip, mm")
+
+
+def _named_spans(profile: Profile) -> list[tuple[str, float, float]]:
+    """Names of a profile's pieces with the arc lengths from which to which they run, neighbours of one name as one."""
+    names, knots = piece_names(profile), profile.knots
+    starts = np.flatnonzero(np.concatenate([[True], names[1:] != names[:-1]]))
+    return list(zip(names[starts].tolist(), knots[starts].tolist(), knots[[*starts[1:], -1]].tolist(), strict=True))
 
 
 def _sought(conjugate: Conjugate, geometry: Geometry) -> Profile:
