@@ -19,23 +19,23 @@ apt_install = { [ "$$(id -u)" = 0 ] && command -v apt-get >/dev/null \
 	&& apt-get update -qq && apt-get install -y -qq $(1) >/dev/null; }
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test soak bench docs fmt lock clean toolchain check-rust check-python
+.PHONY: help demo test soak bench docs fmt lock clean toolchain chromium check-rust check-python
 
 help: ## Show this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-8s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
 
-demo: $(VENV)/kernel.stamp ## Set everything up and compute the case study (plot in build/)
+demo: $(VENV)/kernel.stamp ## Set everything up and compute the case study (plot and report in build/)
 	@mkdir -p build
-	@rm -f build/case-study.png
-	$(BIN)/strainwave case-study --plot build/case-study.png
-	@echo "The backlash distribution of every case is drawn in build/case-study.png"
+	$(BIN)/strainwave case-study --plot build/case-study.png --report build/case-study.html --force
+	@echo "The backlash distribution of every case is drawn in $(CURDIR)/build/case-study.png"
+	@echo "The report, one page to open in a browser, is $(CURDIR)/build/case-study.html"
 
 test: check-rust check-python $(if $(DOCS_CONFIG),docs) ## Formatters, linters, typing, Rust and Python tests
 
-soak: $(VENV)/dev.stamp $(VENV)/kernel.stamp ## An hour of fuzzing, a million poses against brute force, long random tests
+soak: $(VENV)/dev.stamp $(VENV)/kernel.stamp ## An hour of fuzzing, a million poses against brute force, 100 kills of explorations, long random tests
 	cargo test --release --package strainwave-kernel --test soak -- --ignored --nocapture
 	scripts/fuzz $(SOAK_SECONDS)
-	$(BIN)/pytest tests/property tests/studies/test_wizard.py --soak
+	$(BIN)/pytest tests/property tests/studies/test_wizard.py tests/studies/exploration/test_kills.py tests/export/test_step.py --soak
 
 bench: $(VENV)/dev.stamp $(VENV)/kernel.stamp ## Write every number that the README quotes
 	@for script in benchmarks/*.py; do echo "$$script"; $(BIN)/python "$$script" || exit 1; done
@@ -61,7 +61,7 @@ check-rust: toolchain $(VENV)/python.stamp
 	cargo clippy --workspace --all-targets --quiet -- -D warnings
 	cargo test --package strainwave-kernel --quiet
 
-check-python: $(VENV)/dev.stamp $(VENV)/kernel.stamp
+check-python: $(VENV)/dev.stamp $(VENV)/kernel.stamp chromium
 	$(BIN)/ruff format --check
 	$(BIN)/ruff check
 	$(BIN)/mypy --strict python tests
@@ -73,6 +73,11 @@ toolchain:
 		|| rustup component add rustfmt clippy 2>/dev/null || { \
 		echo "cargo has no rustfmt or no clippy. Run 'rustup component add rustfmt clippy'"; \
 		echo "or, with Debian's Rust, 'apt install rustfmt rust-clippy'."; exit 1; }
+
+chromium:
+	@{ command -v chromium || command -v chromium-browser || command -v google-chrome; } >/dev/null \
+		|| $(call apt_install,chromium) \
+		|| echo "No Chromium here: the tests of tests/browser will be skipped. On Debian run 'apt install chromium'."
 
 $(VENV)/python.stamp:
 	@command -v $(PYTHON) >/dev/null && $(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { \

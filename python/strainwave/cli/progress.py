@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import sys
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
@@ -9,6 +11,8 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from strainwave.studies.optimization.generation import Generation, Report
     from strainwave.studies.progress import Progress
+
+SECONDS_BETWEEN_LINES = 60.0
 
 
 @contextmanager
@@ -44,3 +48,48 @@ def best_so_far(what: str) -> Iterator[Report]:
             bars.update(task, completed=generation.number, total=generation.generations, description=text)
 
         yield show
+
+
+@contextmanager
+def paced(what: str) -> Iterator[Progress]:
+    """A bar with rate and time left for work of hours; where stderr is no terminal, a line of that once a minute."""
+    from rich.console import Console
+
+    console = Console(stderr=True)
+    if not console.is_terminal:
+        yield _lines(what)
+        return
+    from rich.progress import BarColumn, MofNCompleteColumn, TextColumn, TimeRemainingColumn
+    from rich.progress import Progress as Bars
+
+    rate = TextColumn("{task.fields[rate]}", markup=False)
+    columns = TextColumn(what), BarColumn(20), MofNCompleteColumn(), rate, TimeRemainingColumn()
+    # Chunks end seconds apart, so the rate is that of the last minutes.
+    with Bars(*columns, console=console, transient=True, speed_estimate_period=300.0) as bars:
+        task = bars.add_task("", total=None, rate="")
+
+        def show(done: int, total: int) -> None:
+            bars.update(task, completed=done, total=total)
+            speed = bars.tasks[task].speed
+            bars.update(task, rate=f"{speed:,.0f}/s" if speed else "")
+
+        yield show
+
+
+def _lines(what: str) -> Progress:
+    start = last = time.monotonic()
+    before: int | None = None
+
+    def show(done: int, total: int) -> None:
+        nonlocal last, before
+        now = time.monotonic()
+        if before is None:
+            before = done  # what an earlier run has done says nothing about the rate of this one
+        if now - last < SECONDS_BETWEEN_LINES or done == before:
+            return
+        last = now
+        rate = (done - before) / (now - start)
+        left = f"{(total - done) / rate / 60.0:.0f} min left"
+        print(f"{done:,} of {total:,} {what}, {rate:,.0f}/s, {left}", file=sys.stderr, flush=True)
+
+    return show

@@ -1,0 +1,46 @@
+"""Measure what an exploration costs beyond the kernel, and what follows for a cluster; written into docs/cluster.md.
+
+Blocks between ``<!-- NAME:begin -->`` and ``<!-- NAME:end -->`` hold what is measured here. Sides of one comparison
+run interleaved, each in a process of its own, so that a slow moment of the machine hits all of them. Times differ from
+run to run and from machine to machine, so no test looks at them. Takes about ten minutes on two quiet cores; with
+``--quick`` a fifth of the designs and one round, to see that it works.
+"""
+
+from __future__ import annotations
+
+import re
+import sys
+from pathlib import Path
+
+from measurement import machine
+from measurement.exploration import Run, Scale, measured, sides, task_seconds
+from measurement.exploration_model import TABLES
+
+ROOT = Path(__file__).parent.parent
+PAGE = ROOT / "docs" / "cluster.md"
+
+FULL = Scale(designs=1_000_000, few=10_000, rounds=5, tasks=5_000)
+QUICK = Scale(designs=200_000, few=10_000, rounds=1, tasks=1_000)
+
+
+def blocks(scale: Scale) -> dict[str, str]:
+    """What the page holds, by the name of the block."""
+    runs: dict[str, list[Run]] = measured(sides(scale), scale.rounds)
+    task_s = task_seconds(scale.tasks)
+    found = {name: table(runs, task_s, scale) for name, table in TABLES.items()}
+    return found | {"cluster-machine": f"{machine.description()}.\n"}
+
+
+def main() -> None:
+    """Measure, and write the page."""
+    found = blocks(QUICK if "--quick" in sys.argv[1:] else FULL)
+    text = PAGE.read_text(encoding="utf-8")
+    for name, content in found.items():
+        marked = re.compile(rf"(<!-- {name}:begin -->\n).*?(<!-- {name}:end -->)", re.DOTALL)
+        text = marked.sub(lambda kept, content=content: f"{kept[1]}\n{content}\n{kept[2]}", text)
+    PAGE.write_text(text, encoding="utf-8")
+    print(f"  {PAGE.relative_to(ROOT)}")
+
+
+if __name__ == "__main__":
+    main()
