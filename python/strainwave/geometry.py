@@ -60,9 +60,9 @@ class Geometry:
         """The geometry of `design`. DesignError holds every fault of both profiles and the neutral curve at once."""
         faults: list[Fault] = []
         with _blaming(faults, design, "flexspline", PROFILE_FAULTS):
-            flexspline = _profile(design.module, design.flexspline, internal=False)
+            flexspline = spline_profile(design.module, design.flexspline, internal=False)
         with _blaming(faults, design, "circular_spline", PROFILE_FAULTS):
-            circular_spline = _profile(design.module, design.circular_spline, internal=True)
+            circular_spline = spline_profile(design.module, design.circular_spline, internal=True)
         with _blaming(faults, design, "wave_generator", CURVE_FAULTS):
             curve = design.wave_generator.curve(design.neutral_radius_mm)
         if faults:
@@ -70,17 +70,24 @@ class Geometry:
         return cls(flexspline, circular_spline, curve, Engagement(flexspline, circular_spline, curve))
 
 
-def _profile(module: float, spline: Flexspline | CircularSpline, internal: bool) -> Profile:
+def spline_profile(
+    module: float, spline: Flexspline | CircularSpline, *, internal: bool, set_back_mm: float = 0.0
+) -> Profile:
+    """The profile of a spline; with `set_back_mm` its whole outline, tip and root too, lies so much deeper.
+
+    Raises the kernel's GeometryError.
+    """
     spec = spline.profile
+    fillet_radius = spec.root_fillet_radius * module
     return Profile(
         spec.flank(Gear.of(module, spline.teeth, internal=internal)),
         teeth=spline.teeth,
         pitch_radius=0.5 * module * spline.teeth,
         internal=internal,
-        addendum=spec.addendum * module,
-        dedendum=spec.dedendum * module,
-        offset=spec.offset,
-        fillet_radius=spec.root_fillet_radius * module,
+        addendum=spec.addendum * module - set_back_mm,
+        dedendum=spec.dedendum * module + set_back_mm,
+        offset=spec.offset - set_back_mm,
+        fillet_radius=max(fillet_radius + set_back_mm, 0.0),  # the parallel of a fillet, and of a sharp corner
     )
 
 

@@ -38,7 +38,16 @@ PROFILES: dict[str, dict[str, Any]] = {
         "circular_spline.profile": INVOLUTE | {"profile_shift": 0.05},
         "flexspline.neutral_radius": 79.83,
     },
-    "line": {"flexspline.profile": LINE, "flexspline.neutral_radius": 79.83},
+    "line": {
+        "flexspline.profile": LINE,
+        "flexspline.neutral_radius": 79.83,
+        "flexspline.face_width": 20.0,
+        "flexspline.cup_length": 60.0,
+        "flexspline.diaphragm_thickness": 2.0,
+        "flexspline.boss_diameter": 90.0,
+        "circular_spline.face_width": 18.0,
+        "circular_spline.outer_diameter": 200.0,
+    },
 }
 WILD = (np.nan, np.inf, -np.inf, 0.0, -1.0, 1e-5, 0.3, 5.0, 40.0, 79.0, 90.0, 1e7)
 

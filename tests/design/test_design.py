@@ -49,6 +49,50 @@ def test_pitch_radii_and_ratio() -> None:
     assert case().ratio == -102.0
 
 
+def test_sizes_that_are_left_out_are_usual_ones() -> None:
+    """D = 163.2 mm; bore 2 (81.6 - 0.9696 - 1.6) = 158.0608 mm; ring's root circle 2 (82.4 + 0.92) = 166.64 mm."""
+    design = case()
+    assert design.flexspline_face_width_mm == pytest.approx(163.2 / 6)
+    assert design.cup_length_mm == pytest.approx(81.6)
+    assert design.diaphragm_thickness_mm == pytest.approx(2.04)
+    assert design.boss_diameter_mm == pytest.approx(0.6 * 158.0608)
+    assert design.circular_spline_face_width_mm == design.flexspline_face_width_mm
+    assert design.circular_spline_outer_diameter_mm == pytest.approx(1.33 * 166.64)
+
+
+def test_sizes_that_are_given_are_kept_and_no_others_are_written() -> None:
+    given = case().replace({"flexspline.face_width": 20.0, "circular_spline.outer_diameter": 200.0})
+    assert given.flexspline_face_width_mm == given.circular_spline_face_width_mm == 20.0
+    assert given.circular_spline_outer_diameter_mm == 200.0
+    assert given.cup_length_mm == case().cup_length_mm
+    assert set(given.to_dict()["flexspline"]) == {"teeth", "wall_thickness", "face_width", "profile"}
+
+
+@pytest.mark.parametrize(
+    ("changes", "key", "problem"),
+    [
+        ({"flexspline.face_width": 80.0}, "flexspline.face_width", "must together be below cup_length 81.6 mm"),
+        ({"flexspline.cup_length": 20.0}, "flexspline.cup_length", "face_width 27.2 mm and diaphragm_thickness 2.04"),
+        ({"flexspline.diaphragm_thickness": 60.0}, "flexspline.diaphragm_thickness", "leaves no smooth wall"),
+        ({"flexspline.boss_diameter": 160.0}, "flexspline.boss_diameter", "must be below the cup's bore of 158.061 mm"),
+        ({"circular_spline.outer_diameter": 166.0}, "circular_spline.outer_diameter", "must be above 166.64 mm"),
+        ({"circular_spline.face_width": 0.0}, "circular_spline.face_width", "must be a number from 0.0001"),
+    ],
+)
+def test_sizes_that_do_not_go_together(changes: dict[str, float], key: str, problem: str) -> None:
+    with pytest.raises(DesignError) as caught:
+        case().replace(changes)
+    (fault,) = caught.value.faults
+    assert (fault.key, fault.value) == (key, *changes.values())
+    assert problem in str(fault)
+
+
+def test_a_faulty_size_is_not_taken_for_one_that_was_left_out() -> None:
+    with pytest.raises(DesignError) as caught:
+        case().replace({"flexspline.face_width": "5 mm", "flexspline.cup_length": 20.0})
+    assert [fault.key for fault in caught.value.faults] == ["flexspline.face_width"]
+
+
 def test_a_design_cannot_be_changed_in_place() -> None:
     with pytest.raises(ValidationError, match="frozen"):
         case().module = 1.0  # type: ignore[misc]

@@ -45,9 +45,12 @@ def test_the_fourier_series_in_its_comments_is_the_cosine() -> None:
 
 
 def test_the_optional_keys_in_its_comments_are_valid() -> None:
-    design = loads(re.sub(r"^# (neutral_radius|bearing_height)", r"\1", template(), flags=re.M))
+    design = loads(re.sub(r"^# (?=[a-z_]+ = )", "", template(), flags=re.M))
     assert design.flexspline.neutral_radius == 79.8304
     assert design.wave_generator.bearing_height == 12.0
+    assert (design.flexspline.face_width, design.flexspline.cup_length) == (27.2, 81.6)
+    assert (design.flexspline.diaphragm_thickness, design.flexspline.boss_diameter) == (2.0, 95.0)
+    assert (design.circular_spline.face_width, design.circular_spline.outer_diameter) == (27.2, 220.0)
 
 
 def test_the_chain_in_its_comments_is_valid() -> None:

@@ -8,6 +8,7 @@ from typing import Annotated, Any, Self
 from pydantic import Field, StrictStr, ValidationError, model_validator
 
 from strainwave.design import rules
+from strainwave.design.bodies import Bodies
 from strainwave.design.faults import faults_of
 from strainwave.design.replacement import replaced
 from strainwave.design.splines import CircularSpline, Flexspline
@@ -81,6 +82,56 @@ class Design(Spec):
     def ratio(self) -> float:
         """Input over output speed with the circular spline fixed: -z_f / (z_c - z_f)."""
         return -self.flexspline.teeth / (self.circular_spline.teeth - self.flexspline.teeth)
+
+    @property
+    def bodies(self) -> Bodies[float]:
+        """Sizes (mm) of the cup along its axis and of the ring around the teeth, given or usual."""
+
+        def given(key: str) -> float | None:
+            table, name = key.split(".")
+            size: float | None = getattr(getattr(self, table), name)
+            return size
+
+        flexspline, circular_spline = self.flexspline, self.circular_spline
+        return Bodies.of(
+            given,
+            pitch_diameter=self.module * flexspline.teeth,
+            root_radius=rules.root_radius(self.module, flexspline.teeth, flexspline.profile.dedendum),
+            wall=flexspline.wall_thickness,
+            ring_root_radius=rules.ring_root_radius(
+                self.module, circular_spline.teeth, circular_spline.profile.dedendum
+            ),
+        )
+
+    @property
+    def flexspline_face_width_mm(self) -> float:
+        """Length of the flexspline's teeth, which end at the cup's open end."""
+        return self.bodies.face_width
+
+    @property
+    def cup_length_mm(self) -> float:
+        """From the diaphragm's outer face to the open end."""
+        return self.bodies.cup_length
+
+    @property
+    def diaphragm_thickness_mm(self) -> float:
+        """Thickness of the cup's bottom."""
+        return self.bodies.diaphragm_thickness
+
+    @property
+    def boss_diameter_mm(self) -> float:
+        """Diameter of the boss in the middle of the diaphragm."""
+        return self.bodies.boss_diameter
+
+    @property
+    def circular_spline_face_width_mm(self) -> float:
+        """Length of the circular spline, in the middle of the flexspline's teeth."""
+        return self.bodies.ring_face_width
+
+    @property
+    def circular_spline_outer_diameter_mm(self) -> float:
+        """Outer diameter of the ring."""
+        return self.bodies.outer_diameter
 
     @model_validator(mode="after")
     def _tables_agree(self) -> Self:

@@ -7,6 +7,8 @@ from functools import cached_property
 
 from strainwave.columns import Columns, Floats, Mask, Refusals, array, below, column
 from strainwave.design import rules
+from strainwave.design.bodies import KEYS, Bodies
+from strainwave.design.bodies_rule import bodies_refusals
 from strainwave.design.design import Design
 from strainwave.profiles import Gear, Involute, Pieces
 from strainwave.profiles.involute import reaches
@@ -25,6 +27,9 @@ REFUSALS = {
     "chain-off-circle": "a chain of pieces does not begin on the addendum circle or end on the root circle",
     "no-involute": "no involute leads from the tip circle to the root circle or its fillet",
     "shape-not-one": "w(0)/w0 is not 1",
+    "no-room-in-cup": "the teeth and the diaphragm are together as long as the cup",
+    "boss-too-wide": "the boss is as wide as the cup's bore",
+    "ring-too-thin": "the circular spline is no wider than its root circle",
 }
 
 
@@ -81,6 +86,7 @@ class DesignRows:
                 yield from self._chain_ends(spline, varied)
             if varied or "module" in self.varied:
                 yield from self._involute(spline, varied)
+        yield from self._bodies()
 
     def _rim(self) -> Refusals:
         flexspline = self.design.flexspline
@@ -112,6 +118,29 @@ class DesignRows:
         if isinstance(profile, Involute):
             tip_roll, root_roll = profile.roll_angles(Gear(self.module, toothed.teeth, internal), varied)
             yield "no-involute", ~reaches(tip_roll, root_roll, internal=internal)
+
+    def _bodies(self) -> Refusals:
+        given = {key: self._given(key) for key in KEYS}
+        if all(size is None for size in given.values()):
+            return  # the usual proportions always go together
+        flexspline, ring = self.design.flexspline, self.design.circular_spline
+        dedendum = column(self.varied, "flexspline.profile.dedendum", flexspline.profile.dedendum)
+        ring_dedendum = column(self.varied, "circular_spline.profile.dedendum", ring.profile.dedendum)
+        yield from bodies_refusals(
+            Bodies.of(
+                given.get,
+                pitch_diameter=self.module * flexspline.teeth,
+                root_radius=rules.root_radius(self.module, flexspline.teeth, dedendum),
+                wall=self._wall,
+                ring_root_radius=rules.ring_root_radius(self.module, ring.teeth, ring_dedendum),
+            )
+        )
+
+    def _given(self, key: str) -> Floats | None:
+        """An optional length of one of the splines, (rows,) or (1,)."""
+        spline, name = key.split(".")
+        size = getattr(getattr(self.design, spline), name)
+        return column(self.varied, key, size) if key in self.varied or size is not None else None
 
     def _chain_ends(self, spline: str, varied: Columns) -> Refusals:
         toothed = getattr(self.design, spline)

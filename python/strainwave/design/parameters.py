@@ -8,7 +8,10 @@ from functools import lru_cache
 from types import NoneType
 from typing import Annotated, Any, get_args, get_origin
 
+from pydantic import ValidationError
+
 from strainwave.design.design import Design
+from strainwave.design.faults import faults_of
 from strainwave.design.keys import Part, joined, parts_of
 from strainwave.errors import DesignError, Fault
 from strainwave.quantities import Quantity, WholeNumber
@@ -50,8 +53,9 @@ def _parameter(design: Design, key: str) -> Parameter:
     value: Any = design
     annotation: Any = Design
     metadata: Sequence[Any] = ()
-    canonical = ""
+    canonical = holding_key = ""
     for part in parts:
+        holder, holding_key = value, canonical
         try:
             value, annotation, metadata = _step(value, annotation, part)
         except LookupError:
@@ -64,7 +68,7 @@ def _parameter(design: Design, key: str) -> Parameter:
         remedy = "Evaluate one batch for each number of teeth"
         raise DesignError([Fault(key, problem="cannot vary in a batch", remedy=remedy)])
     if value is None:
-        design.replace(key, _typical(quantity))  # an optional key may be shut out by what the design has in its place
+        _check_not_shut_out(holder, holding_key, {part: _typical(quantity)})
     return Parameter(canonical, quantity)
 
 
@@ -97,6 +101,14 @@ def _nowhere(design: Design, key: str) -> DesignError:
     except DesignError as error:
         return error
     return DesignError([Fault(key, problem="is not the dotted key of a number")])
+
+
+def _check_not_shut_out(table: Spec, table_key: str, addition: dict[Part, float]) -> None:
+    """DesignError where an optional key of a table cannot be given beside what the table has in its place."""
+    try:
+        type(table).model_validate({**table.model_dump(exclude_none=True), **addition})
+    except ValidationError as error:
+        raise DesignError(faults_of(error, type(table), table_key)) from None
 
 
 def _typical(quantity: Quantity) -> float:

@@ -9,6 +9,8 @@ from collections.abc import Mapping
 from typing import Any, TypeVar
 
 from strainwave.columns import Floats, Numbers
+from strainwave.design.bodies import Bodies
+from strainwave.design.bodies_rule import bodies_faults
 from strainwave.design.involute_rule import involute_faults
 from strainwave.design.keys import leaves
 from strainwave.elementwise import hypot
@@ -31,6 +33,7 @@ def faults_between(tree: Mapping[str, Any], faulty_keys: set[str]) -> list[Fault
         *_neutral_circle(known),
         *_disk_radius(known),
         *_cam_to_neutral(known),
+        *bodies_faults(known, faulty_keys, _bodies(known)),
         *_chain_ends(known, "flexspline", internal=False),
         *_chain_ends(known, "circular_spline", internal=True),
         *involute_faults(known, "flexspline", internal=False),
@@ -51,6 +54,11 @@ def root_radius(module: N, teeth: int, dedendum: N) -> N:
 def tip_radius(module: N, teeth: int, addendum: N) -> N:
     """Radius (mm) of the flexspline's tip circle."""
     return module * (0.5 * teeth + addendum)
+
+
+def ring_root_radius(module: N, teeth: int, dedendum: N) -> N:
+    """Radius (mm) of the circular spline's root circle."""
+    return module * (0.5 * teeth + dedendum)
 
 
 def chain_start_distance(x: Numbers, y: Numbers, teeth: int, addendum: Numbers, *, internal: bool) -> Floats:
@@ -153,6 +161,22 @@ def _cam_to_neutral(known: Mapping[str, Any]) -> list[Fault]:
     return [
         Fault("wave_generator.cam_to_neutral", numbers[0], MM, problem, "Give the bearing's height and half the wall")
     ]
+
+
+def _bodies(known: Mapping[str, Any]) -> Bodies[float] | None:
+    """The sizes of the parts, given or usual; None where that cannot be said."""
+    rim = _rim_numbers(known)
+    ring = _numbers(known, "circular_spline.teeth", "circular_spline.profile.dedendum")
+    if rim is None or ring is None:
+        return None
+    module, teeth, dedendum, wall = rim
+    return Bodies.of(
+        known.get,
+        pitch_diameter=module * teeth,
+        root_radius=root_radius(module, teeth, dedendum),
+        wall=wall,
+        ring_root_radius=ring_root_radius(module, *ring),
+    )
 
 
 def _chain_ends(known: Mapping[str, Any], spline: str, internal: bool) -> list[Fault]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Annotated, Literal
 
+import numpy as np
 from pydantic import Field
 
 from strainwave.columns import Columns, Floats, column
@@ -40,3 +41,16 @@ class Ellipse(WaveGenerator):
 
         equidistant = column(varied, "cam_to_neutral", self.cam_to_neutral)
         return BatchCurves.ellipse(radius, column(varied, "w0", self.w0), equidistant)
+
+    def section(self, radius: float, w0: float) -> NeutralCurve:
+        """An ellipse with semi-axis R + w0: its w differs from the scaled one by the order of w0²/R, as any curve's
+        does that keeps its perimeter; see `WaveGenerator.section`."""
+        from strainwave._kernel import NeutralCurve
+
+        return NeutralCurve.ellipse(radius, w0, self.cam_to_neutral)
+
+    def sections(self, radius: float, w0: Floats) -> BatchCurves:
+        """See `WaveGenerator.sections`."""
+        from strainwave._kernel import BatchCurves
+
+        return BatchCurves.ellipse(np.array([radius]), w0, np.array([self.cam_to_neutral]))

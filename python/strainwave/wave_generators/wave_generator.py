@@ -44,6 +44,18 @@ class WaveGenerator(Spec):
         The columns lie within the limits of their keys.
         """
 
+    @abstractmethod
+    def section(self, radius: float, w0: float) -> NeutralCurve:
+        """The curve of a section of the cup that stands out by another `w0` (mm) than that of this generator.
+
+        Its shape is the one that this generator gives the section at mid-face; with the generator's own w0 it is
+        `curve`. Raises the kernel's GeometryError.
+        """
+
+    @abstractmethod
+    def sections(self, radius: float, w0: Floats) -> BatchCurves:
+        """The same for the rows of a batch, (rows,)."""
+
     def refusals(self, varied: Columns) -> Refusals:
         """Which rows this table refuses, though each of their numbers lies within its limits."""
         yield from ()
@@ -76,3 +88,12 @@ class ShapedWaveGenerator(WaveGenerator):
     def curves(self, radius: Floats, varied: Columns) -> BatchCurves:
         """The neutral curves of the rows of a batch; see `WaveGenerator.curves`."""
         return self.shapes(radius, varied).curves(radius, column(varied, "w0", self.w0), self.neutral_curve)
+
+    def section(self, radius: float, w0: float) -> NeutralCurve:
+        """This generator's shape, whatever its own w0 would be elsewhere; see `WaveGenerator.section`."""
+        return self.shape(radius).curve(radius, w0, self.neutral_curve)
+
+    def sections(self, radius: float, w0: Floats) -> BatchCurves:
+        """See `WaveGenerator.sections`."""
+        radii = np.array([radius])
+        return self.shapes(radii, NOTHING_VARIED).curves(radii, w0, self.neutral_curve)
