@@ -1,7 +1,19 @@
 """Geometry in the files of other programs."""
 
-from strainwave.export.flank_dxf import flank_dxf
-from strainwave.export.flank_points import flank_points, points_csv
-from strainwave.export.tooth import tooth_segments
+from strainwave.export.choice import ExportChoice
+from strainwave.export.drawing import Drawing
+from strainwave.export.dxf import flank_dxf
+from strainwave.export.gear import CHORD_ERRORS_MODULES, FORMATS, Format, export_gear, gear_file
+from strainwave.export.points_csv import points_csv
 
-__all__ = ["flank_dxf", "flank_points", "points_csv", "tooth_segments"]
+__all__ = [
+    "CHORD_ERRORS_MODULES",
+    "FORMATS",
+    "Drawing",
+    "ExportChoice",
+    "Format",
+    "export_gear",
+    "flank_dxf",
+    "gear_file",
+    "points_csv",
+]
