@@ -8,6 +8,7 @@ documents or for all of them; the tests fail where a document is behind.
 
 from __future__ import annotations
 
+import io
 import os
 import re
 import shutil
@@ -16,17 +17,23 @@ import sys
 import tempfile
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from itertools import islice
 from pathlib import Path
+
+from PIL import Image
 
 from strainwave.analysis import Analysis
 from strainwave.analysis.case_study import CaseResult, CaseStudy, Reading
+from strainwave.animation import Film
+from strainwave.animation.stage import pictures as frames_of
 from strainwave.cli.tables.number import fixed, general, whole
-from strainwave.plots import backlash_figure, case_study_figure, mesh_figure, picture_bytes
+from strainwave.plots import backlash_figure, case_study_figure, mesh_figure, picture_bytes, profile_figure
 
 ROOT = Path(__file__).parent.parent
 sys.path.insert(0, str(ROOT))  # run as a script, it stands beside its own kind
 
 from benchmarks import involute_claims  # noqa: E402
+from benchmarks.export_figures import export_figures  # noqa: E402
 from benchmarks.theory_figures import theory_figures  # noqa: E402
 
 PICTURES = ROOT / "docs" / "pictures"
@@ -98,12 +105,23 @@ def pictures(study: CaseStudy) -> dict[str, bytes]:
         "case-study": case_study_figure(study),
         "backlash": backlash_figure(cosine),
         "mesh": mesh_figure(cosine),
+        "profile": profile_figure(cosine.design),
         **theory_figures(cosine.design),
+        **export_figures(cosine.design),
     }
-    return {
+    drawn = {
         f"{name}.png": picture_bytes(figure, "png", description=description(name, study))
         for name, figure in figures.items()
     }
+    return drawn | {"animation.png": _frame(study.result("dual-disk-0848", "calibrated").analysis)}
+
+
+def _frame(analysis: Analysis) -> bytes:
+    """One frame of an animation, the generator at 60 degrees."""
+    film = Film.of(analysis, frames=6, turns=1.0, fixed="circular-spline", frames_per_s=20.0)
+    file = io.BytesIO()
+    Image.fromarray(list(islice(frames_of(film), 2))[1]).save(file, "PNG")
+    return file.getvalue()
 
 
 def description(name: str, study: CaseStudy) -> str:

@@ -12,8 +12,9 @@ import ezdxf
 import numpy as np
 
 from strainwave import load
-from strainwave.export import flank_dxf, flank_points, points_csv, tooth_segments
+from strainwave.export import flank_dxf, points_csv
 from strainwave.geometry import Geometry
+from strainwave.outlines import flank_points, tooth_segments
 
 DESIGNS = Path(__file__).parent.parent / "designs"
 NOISE_MM = 0.8e-3

@@ -22,14 +22,19 @@ NAMES = {
     "one row": "`evaluate_batch` of a single row",
 }
 SHORT = ("points", "shapely", "k-d tree", "loop", "w0, 1", "profile, 1", "w0 in motion, 1", "w0, 2")
-YARDSTICK = "w0, 1"
+YARDSTICKS = ("w0, 1", "w0, 2")
 
 
 def sides(seconds: Mapping[str, float], chosen: tuple[str, ...] = tuple(NAMES)) -> str:
     """Time for one design, a row for each side."""
-    rows = ["| one design, all teeth, both flanks | time | times a row of a batch |", "|---|--:|--:|"]
-    ratios = {name: _ratio(seconds[name] / seconds[YARDSTICK]) for name in chosen}
-    return _text([*rows, *(f"| {NAMES[name]} | {shown(seconds[name])} | {ratios[name]} |" for name in chosen)])
+    rows = [
+        "| one design, all teeth, both flanks | time | times a row of a batch, 1 thread | 2 threads |",
+        "|---|--:|--:|--:|",
+    ]
+    for name in chosen:
+        ratios = " | ".join(_ratio(seconds[name] / seconds[yardstick]) for yardstick in YARDSTICKS)
+        rows.append(f"| {NAMES[name]} | {shown(seconds[name])} | {ratios} |")
+    return _text(rows)
 
 
 def accuracy(points: list[Point]) -> str:

@@ -10,8 +10,11 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from strainwave.analysis import Analysis as Analysis
+    from strainwave.analysis import FaceMap as FaceMap
     from strainwave.analysis import GapCurve as GapCurve
     from strainwave.analysis import analyze as analyze
+    from strainwave.analysis import face_map as face_map
+    from strainwave.animation import animate as animate
     from strainwave.batch import Batch as Batch
     from strainwave.batch import evaluate_batch as evaluate_batch
     from strainwave.conjugation import Conjugate as Conjugate
@@ -24,6 +27,8 @@ if TYPE_CHECKING:
     from strainwave.errors import DesignError as DesignError
     from strainwave.errors import Fault as Fault
     from strainwave.errors import StrainwaveError as StrainwaveError
+    from strainwave.export import ExportChoice as ExportChoice
+    from strainwave.export import export_gear as export_gear
     from strainwave.fitting import ArcSpline as ArcSpline
     from strainwave.fitting import fit_curve as fit_curve
     from strainwave.fitting import fit_points as fit_points
@@ -31,13 +36,19 @@ if TYPE_CHECKING:
     from strainwave.imports import ImportedFlank as ImportedFlank
     from strainwave.imports import ImportHints as ImportHints
     from strainwave.imports import import_flank as import_flank
+    from strainwave.scene import assembly_scene as assembly_scene
     from strainwave.studies import analyze_tolerance as analyze_tolerance
     from strainwave.studies import compare as compare
+    from strainwave.studies import explore as explore
     from strainwave.studies import optimize as optimize
     from strainwave.studies import propose as propose
     from strainwave.studies import sweep as sweep
     from strainwave.studies import tune as tune
     from strainwave.studies.comparison import Comparison as Comparison
+    from strainwave.studies.exploration import Exploration as Exploration
+    from strainwave.studies.exploration import Space as Space
+    from strainwave.studies.exploration import load_exploration as load_exploration
+    from strainwave.studies.exploration import load_space as load_space
     from strainwave.studies.optimization import Optimization as Optimization
     from strainwave.studies.sweeping import Sweep as Sweep
     from strainwave.studies.tolerance import ToleranceAnalysis as ToleranceAnalysis
@@ -52,8 +63,11 @@ if TYPE_CHECKING:
 # the command line start at once.
 _HOME_OF = {
     "Analysis": "strainwave.analysis",
+    "FaceMap": "strainwave.analysis",
     "GapCurve": "strainwave.analysis",
     "analyze": "strainwave.analysis",
+    "face_map": "strainwave.analysis",
+    "animate": "strainwave.animation",
     "Batch": "strainwave.batch",
     "evaluate_batch": "strainwave.batch",
     "Conjugate": "strainwave.conjugation",
@@ -66,6 +80,8 @@ _HOME_OF = {
     "DesignError": "strainwave.errors",
     "Fault": "strainwave.errors",
     "StrainwaveError": "strainwave.errors",
+    "ExportChoice": "strainwave.export",
+    "export_gear": "strainwave.export",
     "ArcSpline": "strainwave.fitting",
     "fit_curve": "strainwave.fitting",
     "fit_points": "strainwave.fitting",
@@ -73,8 +89,14 @@ _HOME_OF = {
     "ImportHints": "strainwave.imports",
     "ImportedFlank": "strainwave.imports",
     "import_flank": "strainwave.imports",
+    "assembly_scene": "strainwave.scene",
     "Comparison": "strainwave.studies.comparison",
     "compare": "strainwave.studies.comparison",
+    "Exploration": "strainwave.studies.exploration",
+    "Space": "strainwave.studies.exploration",
+    "explore": "strainwave.studies.exploration",
+    "load_exploration": "strainwave.studies.exploration",
+    "load_space": "strainwave.studies.exploration",
     "Optimization": "strainwave.studies.optimization",
     "optimize": "strainwave.studies.optimization",
     "Sweep": "strainwave.studies.sweeping",
@@ -97,6 +119,9 @@ __all__ = [
     "Conjugate",
     "Design",
     "DesignError",
+    "Exploration",
+    "ExportChoice",
+    "FaceMap",
     "Fault",
     "GapCurve",
     "Geometry",
@@ -104,6 +129,7 @@ __all__ = [
     "ImportedFlank",
     "Optimization",
     "Proposal",
+    "Space",
     "StrainwaveError",
     "Sweep",
     "ToleranceAnalysis",
@@ -111,14 +137,21 @@ __all__ = [
     "Tuning",
     "analyze",
     "analyze_tolerance",
+    "animate",
+    "assembly_scene",
     "compare",
     "conjugate",
     "dumps",
     "evaluate_batch",
+    "explore",
+    "export_gear",
+    "face_map",
     "fit_curve",
     "fit_points",
     "import_flank",
     "load",
+    "load_exploration",
+    "load_space",
     "load_tolerances",
     "loads",
     "optimize",

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from strainwave import _kernel
+from strainwave._kernel import evaluate_batch as evaluate_rows
 from strainwave.batch import metrics as metric
 from strainwave.batch import parts
 from strainwave.batch.batch import Batch
@@ -54,7 +54,7 @@ def evaluate_batch(
     possible = status == OK
     columns = {name: np.full(len(table), np.nan) for name in names}
     if possible.any():
-        found = _kernel.evaluate_batch(
+        found = evaluate_rows(
             parts.profiles(rows, "flexspline"),
             parts.profiles(rows, "circular_spline"),
             parts.curves(rows),

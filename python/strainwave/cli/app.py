@@ -7,12 +7,17 @@ from typing import Annotated
 import typer
 
 from strainwave.cli.analyze import analyze
+from strainwave.cli.animate import animate
 from strainwave.cli.case_study import case_study
 from strainwave.cli.compare import compare
 from strainwave.cli.conjugate import conjugate
+from strainwave.cli.explore import explore
+from strainwave.cli.export import export
 from strainwave.cli.fit import fit
 from strainwave.cli.new import new
 from strainwave.cli.optimize import optimize
+from strainwave.cli.plot import plot
+from strainwave.cli.report import report
 from strainwave.cli.sweep import sweep
 from strainwave.cli.tolerance import tolerance
 from strainwave.cli.tune import tune
@@ -66,6 +71,13 @@ app.command(epilog=_example("strainwave tune my-gear.toml --plot windows.png --g
 app.command(epilog=_example("strainwave optimize my-gear.toml --vary wave_generator.w0=0.80:0.90 --out optimized/"))(
     optimize
 )
+app.command(
+    epilog=_example("strainwave explore my-gear.toml space.toml --samples 1048576 --out study --plot explored.png")
+)(explore)
 app.command(epilog=_example("strainwave conjugate my-gear.toml --out conjugate.toml --plot conjugate.png"))(conjugate)
 app.command(epilog=_example("strainwave fit tooth.dxf --design my-gear.toml --spline flexspline --out drawn.toml"))(fit)
+app.command(epilog=_example("strainwave export step my-gear.toml --part flexspline --out flexspline.step"))(export)
 app.command(epilog=_example("strainwave tolerance my-gear.toml tolerances.toml --plot scatter.png"))(tolerance)
+app.command(epilog=_example("strainwave plot assembly my-gear.toml --teeth 30:40 --out teeth.png"))(plot)
+app.command(epilog=_example("strainwave animate my-gear.toml --fixed flexspline --out turning.html"))(animate)
+app.command(epilog=_example("strainwave report my-gear.toml --out report.html"))(report)
