@@ -27,8 +27,8 @@ impl Batch {
             rows.select_nth_unstable_by(middle, |&a, &b| value(a).total_cmp(&value(b)));
         }
         let (low, high) = rows.split_at_mut(middle);
-        let mut cells = self.cells(low, size);
-        cells.extend(self.cells(high, size));
+        let (mut cells, others) = rayon::join(|| self.cells(low, size), || self.cells(high, size));
+        cells.extend(others);
         cells
     }
 

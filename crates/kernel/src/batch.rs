@@ -58,7 +58,7 @@ pub enum CurveForm {
 #[derive(Clone, Debug)]
 pub enum Column<T> {
     Same(T),
-    Each(Vec<T>),
+    Each(Arc<Vec<T>>),
 }
 
 /// The designs of a batch.
@@ -142,9 +142,11 @@ impl Batch {
         let mut order: Vec<usize> = (0..self.rows).collect();
         let size = (self.rows / (CELLS_PER_THREAD * rayon::current_num_threads())).clamp(FEW_ROWS, MOST_ALIKE);
         let answers: Option<Vec<_>> = self.cells(&mut order, size).into_par_iter().map(cell).collect();
-        let mut sorted: Vec<_> = order.into_iter().zip(answers?.into_iter().flatten()).collect();
-        sorted.sort_unstable_by_key(|(row, _)| *row);
-        Some(sorted.into_iter().map(|(_, answer)| answer).collect())
+        let mut in_order: Vec<Option<_>> = (0..self.rows).map(|_| None).collect();
+        for (row, answer) in order.into_iter().zip(answers?.into_iter().flatten()) {
+            in_order[row] = Some(answer);
+        }
+        in_order.into_iter().collect()
     }
 }
 

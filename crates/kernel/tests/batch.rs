@@ -28,9 +28,9 @@ fn varying(rows: usize) -> Batch {
     let tooth = |row| Tooth { offset: -0.01 + 0.01 * share(row), ..flexspline() };
     Batch {
         rows,
-        flexsplines: Column::Each((0..rows).map(|row| spec(&tooth(row))).collect()),
+        flexsplines: Column::Each(Arc::new((0..rows).map(|row| spec(&tooth(row))).collect())),
         circular_splines: Column::Same(spec(&circular_spline())),
-        curves: Column::Each((0..rows).map(|row| curve(0.8 + 0.1 * share(row))).collect()),
+        curves: Column::Each(Arc::new((0..rows).map(|row| curve(0.8 + 0.1 * share(row))).collect())),
     }
 }
 
@@ -77,9 +77,9 @@ fn family(tooth: &Tooth, w0: f64, share: f64) -> Batch {
     let ring = |row| Tooth { offset: MODULE * of(row, 0.4142), ..circular_spline() };
     Batch {
         rows: FAMILY,
-        flexsplines: Column::Each((0..FAMILY).map(|row| spec(&tooth(row))).collect()),
-        circular_splines: Column::Each((0..FAMILY).map(|row| spec(&ring(row))).collect()),
-        curves: Column::Each((0..FAMILY).map(|row| curve(w0 * (1.0 + of(row, 0.3247)))).collect()),
+        flexsplines: Column::Each(Arc::new((0..FAMILY).map(|row| spec(&tooth(row))).collect())),
+        circular_splines: Column::Each(Arc::new((0..FAMILY).map(|row| spec(&ring(row))).collect())),
+        curves: Column::Each(Arc::new((0..FAMILY).map(|row| curve(w0 * (1.0 + of(row, 0.3247)))).collect())),
     }
 }
 
@@ -179,6 +179,7 @@ fn an_odd_number_of_teeth_counts_the_second_lobe() {
 fn a_row_that_cannot_be_built_stops_nothing() {
     let mut batch = varying(5);
     if let Column::Each(teeth) = &mut batch.flexsplines {
+        let teeth = Arc::make_mut(teeth);
         teeth[2].offset = f64::NAN;
         teeth[3].fillet_radius = 5.0;
     }

@@ -48,7 +48,7 @@ fn rows(lengths: &[usize]) -> PyResult<usize> {
 }
 
 fn column<T>(rows: usize, build: impl Fn(usize) -> T) -> Column<T> {
-    if rows == 1 { Column::Same(build(0)) } else { Column::Each((0..rows).map(build).collect()) }
+    if rows == 1 { Column::Same(build(0)) } else { Column::Each(Arc::new((0..rows).map(build).collect())) }
 }
 
 fn values(argument: &Numbers1<'_>) -> Vec<f64> {

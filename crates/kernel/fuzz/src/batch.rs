@@ -81,7 +81,11 @@ fn draw_family(draw: &mut Draw) -> (Batch, Question) {
 }
 
 fn around<T: Clone>(draw: &mut Draw, rows: usize, one: &T, mut similar: impl FnMut(&mut Draw, &T) -> T) -> Column<T> {
-    if draw.coin() { Column::Same(one.clone()) } else { Column::Each((0..rows).map(|_| similar(draw, one)).collect()) }
+    if draw.coin() {
+        Column::Same(one.clone())
+    } else {
+        Column::Each(Arc::new((0..rows).map(|_| similar(draw, one)).collect()))
+    }
 }
 
 /// The flank turned and enlarged a little, and the other numbers changed as much.
@@ -109,7 +113,7 @@ fn similar_curve(draw: &mut Draw, spec: &CurveSpec, spread: f64) -> CurveSpec {
 }
 
 fn column<T>(draw: &mut Draw, rows: usize, mut each: impl FnMut(&mut Draw) -> T) -> Column<T> {
-    if draw.coin() { Column::Same(each(draw)) } else { Column::Each((0..rows).map(|_| each(draw)).collect()) }
+    if draw.coin() { Column::Same(each(draw)) } else { Column::Each(Arc::new((0..rows).map(|_| each(draw)).collect())) }
 }
 
 fn profile_spec(draw: &mut Draw, module: f64, teeth: u32, internal: bool) -> ProfileSpec {
