@@ -122,7 +122,7 @@ def test_the_picture_of_the_gear_shows_its_bodies(analysis: Analysis) -> None:
     ratio = pixels[seen][:, :3] / np.array(to_rgb(CIRCULAR_SPLINE))
     # The ring in whatever light: all channels dimmed alike.
     assert (np.ptp(ratio, axis=1) < 0.02).mean() > 0.3
-    assert "INTERFERENCE in motion in 6 of 7 sections" in words(figure)
+    assert "INTERFERENCE in motion in 9 of 11 sections" in words(figure)
 
 
 def test_the_interactive_gear_has_the_same_bodies(analysis: Analysis, view: GearView) -> None:
