@@ -47,19 +47,16 @@ def compare(
     """Compare wave generators on one pair of splines (µm), at a common w0 (mm) and each at the w0 tuned for it."""
     from functools import partial
 
-    from strainwave.cli.delivery import deliver
+    from strainwave.cli.delivery import check_outputs, deliver
     from strainwave.cli.naming import naming
-    from strainwave.cli.pictures import check_picture, write_picture
+    from strainwave.cli.pictures import write_picture
     from strainwave.cli.progress import watched
     from strainwave.cli.tables.comparison import comparison_report
     from strainwave.design import load
     from strainwave.studies import compare as compute
     from strainwave.studies.tuning.w0_scan import W0
-    from strainwave.whole_file import check_free
 
-    check_picture(plot, overwrite=force)
-    if csv is not None:
-        check_free(csv, overwrite=force)
+    check_outputs(plot, csv, overwrite=force)
     with naming(design):
         base = load(design)
     if w0 is not None:

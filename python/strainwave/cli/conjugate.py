@@ -36,17 +36,14 @@ def conjugate(
     """The profile (arcs and lines) that one spline generates on the other, without backlash where they touch."""
     from functools import partial
 
-    from strainwave.cli.delivery import deliver
+    from strainwave.cli.delivery import check_outputs, deliver
     from strainwave.cli.naming import naming
-    from strainwave.cli.pictures import check_picture, write_picture
+    from strainwave.cli.pictures import write_picture
     from strainwave.cli.tables.conjugate import conjugate_report
     from strainwave.conjugation import conjugate as compute
     from strainwave.design import load, save
-    from strainwave.whole_file import check_free
 
-    check_picture(plot, overwrite=force)
-    if out is not None:
-        check_free(out, overwrite=force)
+    check_outputs(plot, out, overwrite=force)
     with naming(design):
         result = compute(load(design), of=of, tolerance_um=tolerance)
     deliver(

@@ -29,6 +29,17 @@ class Result(Protocol):
 Found = TypeVar("Found", bound=Result)
 
 
+def check_outputs(picture: Path | None, *files: Path | None, overwrite: bool) -> None:
+    """Refuse a picture or a file that could not be written, before anything is computed for it."""
+    from strainwave.cli.pictures import check_picture
+    from strainwave.whole_file import check_free
+
+    check_picture(picture, overwrite=overwrite)
+    for file in files:
+        if file is not None:
+            check_free(file, overwrite=overwrite)
+
+
 def deliver(
     result: Found,
     report: Callable[[Found], Iterable[RenderableType]],

@@ -60,20 +60,17 @@ def optimize(
     """Search ranges of a design's numbers for the best design, or for the Pareto front of several objectives."""
     from functools import partial
 
-    from strainwave.cli.delivery import deliver
+    from strainwave.cli.delivery import check_outputs, deliver
     from strainwave.cli.naming import naming
-    from strainwave.cli.pictures import check_picture, write_picture
+    from strainwave.cli.pictures import write_picture
     from strainwave.cli.progress import best_so_far
     from strainwave.cli.ranges import open_ranges, ranges
     from strainwave.cli.tables.optimization import optimization_report
     from strainwave.design import load
     from strainwave.studies.optimization import optimize as search
-    from strainwave.whole_file import check_free
     from strainwave.whole_folder import check_folder_free
 
-    check_picture(plot, overwrite=force)
-    if csv is not None:
-        check_free(csv, overwrite=force)
+    check_outputs(plot, csv, overwrite=force)
     if out is not None:
         check_folder_free(out, overwrite=force)
     free, required = ranges("--vary", vary), open_ranges("--require", require or [])

@@ -49,18 +49,15 @@ def sweep(
     """A figure (µm, teeth) over one or two numbers of a design, and where teeth interfere in motion."""
     from functools import partial
 
-    from strainwave.cli.delivery import deliver
+    from strainwave.cli.delivery import check_outputs, deliver
     from strainwave.cli.naming import naming
-    from strainwave.cli.pictures import check_picture, write_picture
+    from strainwave.cli.pictures import write_picture
     from strainwave.cli.progress import watched
     from strainwave.cli.tables.sweep import sweep_report
     from strainwave.design import load
     from strainwave.studies import sweep as compute
-    from strainwave.whole_file import check_free
 
-    check_picture(plot, overwrite=force)
-    if csv is not None:
-        check_free(csv, overwrite=force)
+    check_outputs(plot, csv, overwrite=force)
     with naming(design), watched("rows") as progress:
         base = load(design)
         axes = [_axis(base, text) for text in vary]

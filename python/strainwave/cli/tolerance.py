@@ -37,19 +37,16 @@ def tolerance(
     """The probability of no interference in motion where numbers scatter, and what the backlash (µm) depends on."""
     from functools import partial
 
-    from strainwave.cli.delivery import deliver
+    from strainwave.cli.delivery import check_outputs, deliver
     from strainwave.cli.naming import naming
-    from strainwave.cli.pictures import check_picture, write_picture
+    from strainwave.cli.pictures import write_picture
     from strainwave.cli.progress import watched
     from strainwave.cli.tables.tolerance import tolerance_report
     from strainwave.design import load
     from strainwave.geometry import Geometry
     from strainwave.studies.tolerance import analyze_tolerance, load_tolerances
-    from strainwave.whole_file import check_free
 
-    check_picture(plot, overwrite=force)
-    if csv is not None:
-        check_free(csv, overwrite=force)
+    check_outputs(plot, csv, overwrite=force)
     with naming(design):
         loaded = load(design)
         Geometry.of(loaded)

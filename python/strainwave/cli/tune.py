@@ -36,19 +36,15 @@ def tune(
     """Every w0 (mm) without interference in motion, and the best w0 for power, precision and balanced use."""
     from functools import partial
 
-    from strainwave.cli.delivery import deliver
+    from strainwave.cli.delivery import check_outputs, deliver
     from strainwave.cli.naming import naming
-    from strainwave.cli.pictures import check_picture, write_picture
+    from strainwave.cli.pictures import write_picture
     from strainwave.cli.progress import watched
     from strainwave.cli.tables.tuning import tuning_report
     from strainwave.design import load, save
     from strainwave.studies import tune as compute
-    from strainwave.whole_file import check_free
 
-    check_picture(plot, overwrite=force)
-    for file in (out, csv):
-        if file is not None:
-            check_free(file, overwrite=force)
+    check_outputs(plot, out, csv, overwrite=force)
     with naming(design), watched("w0") as progress:
         result = compute(load(design), threshold_um=threshold, margin_um=margin, threads=threads, progress=progress)
 

@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
 from numbers import Real
-from typing import Annotated, Any, Self
+from typing import Annotated, Any
 
-from pydantic import Field, PlainValidator, StrictStr, ValidationError, field_validator
+from pydantic import Field, PlainValidator, StrictStr
 
-from strainwave.design.faults import faults_of
-from strainwave.errors import DesignError, Fault, FaultError
+from strainwave.errors import Fault, FaultError
 from strainwave.spec import Spec
+from strainwave.studies.study_file import StudyFile, Tables
 from strainwave.toml_file import TomlFile
 
 MOST_PARAMETERS = 100
@@ -40,12 +39,12 @@ class Range(Spec):
     high: Annotated[float | str, _END, Field(description="Upper end, in the same unit", examples=[0.9])]
 
 
-class Space(Spec):
+class Space(StudyFile):
     """Ranges of a design's numbers, and the wave generators to choose from."""
 
     name: Annotated[StrictStr, Field(max_length=200, description="Name, for titles", examples=["Tip arcs"])] = ""
     parameters: Annotated[
-        tuple[Range, ...],
+        Tables[Range],
         Field(
             max_length=MOST_PARAMETERS,
             description="One table for each number that varies",
@@ -60,21 +59,6 @@ class Space(Spec):
             examples=[[{"kind": "cosine"}, {"kind": "four-roller", "roller_angle": 19.5}]],
         ),
     ] = ()
-
-    @field_validator("parameters")
-    @classmethod
-    def _not_empty(cls, parameters: tuple[Range, ...]) -> tuple[Range, ...]:
-        if not parameters:
-            raise FaultError([Fault("", None, "", "must hold at least one table")])
-        return parameters
-
-    @classmethod
-    def from_dict(cls, tree: Mapping[str, Any], source: str | None = None) -> Self:
-        """The space of a tree of tables, as TOML gives it. DesignError holds every fault, and names `source`."""
-        try:
-            return cls.model_validate(tree)
-        except ValidationError as error:
-            raise DesignError(faults_of(error, cls), source) from None
 
     def to_dict(self) -> dict[str, Any]:
         """The tree of tables that `from_dict` reads."""

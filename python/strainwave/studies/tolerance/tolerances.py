@@ -4,16 +4,15 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from typing import Annotated, Any, Self
+from typing import Annotated, Any
 
-from pydantic import Field, StrictStr, ValidationError, field_validator
+from pydantic import Field, StrictStr
 
 from strainwave.design import Design, parameters_of
-from strainwave.design.faults import faults_of
 from strainwave.design.keys import leaves
-from strainwave.errors import DesignError, Fault, FaultError
+from strainwave.errors import DesignError, Fault
 from strainwave.quantities import MM
-from strainwave.spec import Spec
+from strainwave.studies.study_file import StudyFile, Tables
 from strainwave.studies.tolerance.distribution import AnyTolerance
 from strainwave.studies.tolerance.toleranced import ECCENTRICITY, Toleranced
 from strainwave.toml_file import TomlFile
@@ -22,35 +21,20 @@ MOST_TOLERANCES = 100
 _FILE = TomlFile("tolerance file", "tolerance table", "Write a table [[tolerances]] for each parameter that scatters")
 
 
-class Tolerances(Spec):
+class Tolerances(StudyFile):
     """How the numbers of a design scatter, independently of each other."""
 
     name: Annotated[
         StrictStr, Field(max_length=200, description="Name, for titles", examples=["Series production"])
     ] = ""
     tolerances: Annotated[
-        tuple[AnyTolerance, ...],
+        Tables[AnyTolerance],
         Field(
             max_length=MOST_TOLERANCES,
             description="One table for each parameter",
             examples=[[{"parameter": "wave_generator.w0", "kind": "normal", "three_sigma": 0.003}]],
         ),
     ]
-
-    @field_validator("tolerances")
-    @classmethod
-    def _not_empty(cls, tolerances: tuple[AnyTolerance, ...]) -> tuple[AnyTolerance, ...]:
-        if not tolerances:
-            raise FaultError([Fault("", None, "", "must hold at least one table")])
-        return tolerances
-
-    @classmethod
-    def from_dict(cls, tree: Mapping[str, Any], source: str | None = None) -> Self:
-        """The tolerances of a tree of tables, as TOML gives it. DesignError holds every fault, and names `source`."""
-        try:
-            return cls.model_validate(tree)
-        except ValidationError as error:
-            raise DesignError(faults_of(error, cls), source) from None
 
     def of(self, design: Design) -> tuple[Toleranced, ...]:
         """The tolerances with the numbers of a design that they are of.
