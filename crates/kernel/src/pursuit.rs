@@ -138,6 +138,10 @@ impl Pursuit {
         Arch::new().dispatch(Near { pursuit: self, poses, nearness, each });
     }
 
+    pub const fn engagement(&self) -> &Engagement {
+        &self.engagement
+    }
+
     /// No point of the tooth lies farther from its origin.
     pub const fn farthest(&self) -> f64 {
         self.farthest

@@ -29,7 +29,7 @@ const MOST: usize = 4096;
 
 /// What is near around the poses of one design, both flanks.
 pub struct Vicinity {
-    center: Engagement,
+    /// Of the design in the middle.
     pursuit: Pursuit,
     nearness: Nearness,
     /// How far designs may deviate: bodies and poses together.
@@ -54,14 +54,15 @@ impl Vicinity {
     pub fn new<'a>(center: &Engagement, designs: impl Iterator<Item = &'a Engagement>) -> Self {
         let pursuit = Pursuit::new(center, &BOTH_FLANKS);
         let quarter = center.quarter();
-        let samples = [0.0, 0.5 * quarter].map(|k| (k, center.relative_pose(k)));
-        let from_space = [0.0, 0.5, 1.0].map(|share| center.relative_pose(share * quarter).origin.norm());
-        let from_space = center.motion().pitch + from_space.into_iter().fold(0.0, f64::max);
+        let samples = [0.0, 0.5, 1.0].map(|share| share * quarter).map(|k| (k, center.relative_pose(k)));
+        let from_space = samples.iter().map(|(_, pose)| pose.origin.norm()).fold(0.0, f64::max) + center.motion().pitch;
         let farthest = FARTHEST * center.motion().pitch;
         let mut limit = Deviation { points: 1e-9 * farthest, ..Deviation::default() };
         for design in designs {
             let bodies = deviation(design, center);
-            let poses = samples.iter().map(|(k, pose)| deviation_of_pose(&design.relative_pose(*k), pose, &pursuit));
+            // Between the axes teeth turn most.
+            let poses =
+                samples[..2].iter().map(|(k, pose)| deviation_of_pose(&design.relative_pose(*k), pose, &pursuit));
             let all = poses.fold(Deviation::default(), Deviation::most).plus(bodies);
             if all.points <= farthest {
                 limit = limit.most(all);
@@ -75,18 +76,18 @@ impl Vicinity {
             space: space.iter().map(|feature| feature.widened(&limit, 0.0)).collect(),
             radii: limit.centers,
         };
-        Self { center: center.clone(), pursuit, nearness, limit, known: Vec::new(), pairs: Vec::new() }
+        Self { pursuit, nearness, limit, known: Vec::new(), pairs: Vec::new() }
     }
 
     /// How near a design is; `None` where its bodies deviate too far or have other features.
     pub fn of<'a>(&'a mut self, engagement: &'a Engagement) -> Option<Neighbour<'a>> {
-        let bodies = deviation(engagement, &self.center);
-        let (own, center) = (engagement.motion(), self.center.motion());
+        let center = self.pursuit.engagement();
         // Poses are put together from what depends on the index alone.
-        if own.space_angle != center.space_angle {
+        if engagement.motion().space_angle != center.motion().space_angle {
             return None;
         }
-        let stands_alike = engagement.stands_like(&self.center);
+        let bodies = deviation(engagement, center);
+        let stands_alike = engagement.stands_like(center);
         bodies.is_within(&self.limit).then_some(Neighbour { vicinity: self, engagement, bodies, stands_alike })
     }
 
@@ -96,8 +97,9 @@ impl Vicinity {
         if new.is_empty() || self.known.len() + new.len() > MOST {
             return;
         }
-        let turned_back: Vec<Pose> = new.iter().map(|&k| self.center.turned_back(k)).collect();
-        let poses = self.center.relative_poses(&new, &turned_back);
+        let center = self.pursuit.engagement();
+        let turned_back: Vec<Pose> = new.iter().map(|&k| center.turned_back(k)).collect();
+        let poses = center.relative_poses(&new, &turned_back);
         let mut new = new.into_iter().zip(turned_back);
         let (known, pairs) = (&mut self.known, &mut self.pairs);
         self.pursuit.near(&poses, &self.nearness, |poses, near| {
