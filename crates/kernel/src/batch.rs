@@ -103,9 +103,9 @@ pub struct Metrics {
 }
 
 impl Batch {
-    /// Whether there are so few rows that other threads would come too late.
-    pub const fn is_small(&self) -> bool {
-        self.rows <= FEW_ROWS
+    /// Whether so few rows are done before other threads would have begun.
+    pub const fn is_small(rows: usize) -> bool {
+        rows <= FEW_ROWS
     }
 
     /// Evaluates every row; `None` if `cancelled` was set before all were done.
@@ -120,7 +120,7 @@ impl Batch {
                 part(&curve, &self.curves, row, CurveSpec::build)?,
             )
         };
-        if self.is_small() {
+        if Self::is_small(self.rows) {
             return (0..self.rows).map(|index| unless(cancelled, || Ok(row(index)?.metrics(question)))).collect();
         }
         let cell = |rows: &mut [usize]| {

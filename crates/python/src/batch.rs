@@ -7,23 +7,20 @@ use numpy::{AllowTypeChange, PyArrayDyn, PyArrayLike1, PyArrayLike2, PyArrayLike
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use strainwave_kernel::{
-    self as kernel, Column, CurveForm, CurveSpec, Gear, GeometryError, Metrics, NeutralCurveModel, Point, ProfileSpec,
-    Question, RingPiece, RingShape, SampledShape, Segment,
+    self as kernel, Column, CurveForm, CurveSpec, GeometryError, Metrics, NeutralCurveModel, Question, RingPiece,
+    RingShape, SampledShape,
 };
 
 use crate::array::{self, Array};
+use crate::batch_profiles::BatchProfiles;
 use crate::neutral_curve::model;
 
-type Numbers1<'py> = PyArrayLike1<'py, f64, AllowTypeChange>;
+pub type Numbers1<'py> = PyArrayLike1<'py, f64, AllowTypeChange>;
 type Table2<'py> = PyArrayLike2<'py, f64, AllowTypeChange>;
-type Table3<'py> = PyArrayLike3<'py, f64, AllowTypeChange>;
+pub type Table3<'py> = PyArrayLike3<'py, f64, AllowTypeChange>;
 
 /// How often a running batch looks for Ctrl-C.
 const PATIENCE: Duration = Duration::from_millis(50);
-
-/// The profiles of one spline in a batch: one for all rows, or one for each.
-#[pyclass(frozen, module = "strainwave._kernel")]
-pub struct BatchProfiles(Column<ProfileSpec>);
 
 /// The neutral curves of a batch: one for all rows, or one for each.
 #[pyclass(frozen, module = "strainwave._kernel")]
@@ -34,12 +31,12 @@ pub struct BatchCurves(Column<CurveSpec>);
 pub struct BatchMetrics(Vec<Result<Metrics, GeometryError>>);
 
 /// A value per row: given once for all of them, or once for each.
-fn at(values: &[f64], row: usize) -> f64 {
+pub fn at(values: &[f64], row: usize) -> f64 {
     values[if values.len() == 1 { 0 } else { row }]
 }
 
 /// The common number of rows of several arguments, each of which has 1 or that many.
-fn rows(lengths: &[usize]) -> PyResult<usize> {
+pub fn rows(lengths: &[usize]) -> PyResult<usize> {
     let rows = lengths.iter().copied().max().unwrap_or(1);
     if lengths.iter().all(|&length| length == 1 || length == rows) {
         return Ok(rows);
@@ -51,54 +48,8 @@ fn column<T>(rows: usize, build: impl Fn(usize) -> T) -> Column<T> {
     if rows == 1 { Column::Same(build(0)) } else { Column::Each(Arc::new((0..rows).map(build).collect())) }
 }
 
-fn values(argument: &Numbers1<'_>) -> Vec<f64> {
+pub fn values(argument: &Numbers1<'_>) -> Vec<f64> {
     argument.as_array().to_vec()
-}
-
-#[pymethods]
-impl BatchProfiles {
-    #[new]
-    #[pyo3(signature = (flank, *, teeth, pitch_radius, internal, addendum, dedendum, offset, fillet_radius))]
-    #[allow(clippy::too_many_arguments)]
-    fn new(
-        flank: Table3<'_>,
-        teeth: u32,
-        pitch_radius: Numbers1<'_>,
-        internal: bool,
-        addendum: Numbers1<'_>,
-        dedendum: Numbers1<'_>,
-        offset: Numbers1<'_>,
-        fillet_radius: Numbers1<'_>,
-    ) -> PyResult<Self> {
-        let flank = flank.as_array();
-        if flank.shape()[2] != 5 {
-            return Err(PyValueError::new_err(format!("a piece has 5 numbers, got {}", flank.shape()[2])));
-        }
-        let [pitch_radius, addendum, dedendum, offset, fillet_radius] =
-            [pitch_radius, addendum, dedendum, offset, fillet_radius].map(|argument| values(&argument));
-        let lengths = [&pitch_radius, &addendum, &dedendum, &offset, &fillet_radius].map(Vec::len);
-        let rows = rows(&[&lengths[..], &[flank.shape()[0]]].concat())?;
-        let spec = |row: usize| {
-            let pieces = flank.index_axis(numpy::ndarray::Axis(0), if flank.shape()[0] == 1 { 0 } else { row });
-            ProfileSpec {
-                gear: Gear {
-                    teeth,
-                    pitch_radius: at(&pitch_radius, row),
-                    addendum: at(&addendum, row),
-                    dedendum: at(&dedendum, row),
-                    internal,
-                },
-                flank: pieces
-                    .rows()
-                    .into_iter()
-                    .map(|r| Segment::new(Point::new(r[0], r[1]), r[2], r[3], r[4]))
-                    .collect(),
-                offset: at(&offset, row),
-                fillet_radius: at(&fillet_radius, row),
-            }
-        };
-        Ok(Self(column(rows, spec)))
-    }
 }
 
 type Shape = Result<Arc<SampledShape>, GeometryError>;
@@ -174,21 +125,22 @@ pub fn evaluate_batch(
     in_motion: Option<f64>,
     threads: usize,
 ) -> PyResult<BatchMetrics> {
-    let lengths = [length(&flexsplines.0), length(&circular_splines.0), length(&curves.0)];
-    let batch = kernel::Batch {
-        rows: rows(&lengths)?,
-        flexsplines: flexsplines.0.clone(),
-        circular_splines: circular_splines.0.clone(),
+    let rows = rows(&[flexsplines.rows(), circular_splines.rows(), length(&curves.0)])?;
+    let batch = || kernel::Batch {
+        rows,
+        flexsplines: flexsplines.column(),
+        circular_splines: circular_splines.column(),
         curves: curves.0.clone(),
     };
     let question = Question { threshold, play, radial, in_motion };
-    let pool = if batch.is_small() { None } else { pool(threads)? };
+    let is_small = kernel::Batch::is_small(rows);
+    let pool = if is_small { None } else { pool(threads)? };
     let answer = py.detach(|| {
-        if batch.is_small() {
-            return Ok(batch.evaluate(&question, &AtomicBool::new(false)));
+        if is_small {
+            return Ok(batch().evaluate(&question, &AtomicBool::new(false)));
         }
         stoppable(|cancelled| {
-            let evaluate = || batch.evaluate(&question, cancelled);
+            let evaluate = || batch().evaluate(&question, cancelled);
             match &pool {
                 Some(pool) => pool.install(evaluate),
                 None => evaluate(),

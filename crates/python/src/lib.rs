@@ -2,6 +2,7 @@
 
 mod array;
 mod batch;
+mod batch_profiles;
 mod clearances;
 mod engagement;
 mod error;
@@ -20,7 +21,7 @@ fn _kernel(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add_class::<engagement::Engagement>()?;
     m.add_class::<engagement::MotionMinimum>()?;
     m.add_class::<clearances::Clearances>()?;
-    m.add_class::<batch::BatchProfiles>()?;
+    m.add_class::<batch_profiles::BatchProfiles>()?;
     m.add_class::<batch::BatchCurves>()?;
     m.add_class::<batch::BatchMetrics>()?;
     m.add_function(wrap_pyfunction!(batch::evaluate_batch, m)?)?;

@@ -66,7 +66,8 @@ def evaluate_batch(
         )
         for name, values_of in columns.items():
             values_of[possible] = metric.COLUMNS[name].read(found, design.flexspline.teeth)
-        status[possible] = [OK if code is None else code for code in found.errors]
+        if any(found.errors):
+            status[possible] = [OK if code is None else code for code in found.errors]
     for array in (table, status, *columns.values()):
         array.setflags(write=False)
     return Batch(design, tuple(parameter.key for parameter in chosen), table, threshold_um, status, columns)

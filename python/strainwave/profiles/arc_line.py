@@ -17,4 +17,5 @@ class ArcLine(TipArcProfile):
     def flanks(self, gear: Gear, varied: Columns) -> Floats:
         """The arc and the line, (rows, 2, 5); see `ToothProfile.flanks`."""
         whole_depth = column(varied, "addendum", self.addendum) + column(varied, "dedendum", self.dedendum)
-        return flanks_of(*self._tip_arc_and_line(gear.module, varied, whole_depth))
+        arc, line, _ = self._tip_arc_and_line(gear.module, varied, whole_depth)
+        return flanks_of(arc, line)

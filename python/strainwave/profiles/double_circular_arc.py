@@ -7,7 +7,6 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from strainwave.columns import Columns, Floats, column
-from strainwave.elementwise import cos, sin
 from strainwave.profiles.gear import Gear
 from strainwave.profiles.tip_arc import Segments, TipArcProfile, flanks_of
 from strainwave.quantities import LengthInModules
@@ -27,12 +26,12 @@ class DoubleCircularArc(TipArcProfile):
     def flanks(self, gear: Gear, varied: Columns) -> Floats:
         """The tip arc, the line and the flank arc, (rows, 3, 5); see `ToothProfile.flanks`."""
         length = column(varied, "flank_length", self.flank_length)
-        tip_arc, line = self._tip_arc_and_line(gear.module, varied, length)
+        tip_arc, line, (across, up) = self._tip_arc_and_line(gear.module, varied, length)
         radius = column(varied, "flank_arc_radius", self.flank_arc_radius) * gear.module
         # Tangent to the line at its end; down to where the arc runs level, far beyond any root circle it can reach.
         flank_arc = Segments(
-            line.x + line.length * cos(line.normal_angle),
-            line.y - line.length * sin(line.normal_angle),
+            line.x + line.length * across,
+            line.y + line.length * up,
             line.normal_angle,
             -1.0 / radius,
             line.normal_angle * radius,

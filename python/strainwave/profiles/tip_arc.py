@@ -56,8 +56,11 @@ class TipArcProfile(ToothProfile):
         being how far the arc's centre lies beyond the tooth's axis (the article's table of profile parameters)."""
         return 2.0 * (self.tip_arc_radius * math.cos(math.radians(self.flank_angle)) + self.tip_arc_center[0])
 
-    def _tip_arc_and_line(self, module: Floats, varied: Columns, line_length: Floats) -> tuple[Segments, Segments]:
-        """The arc from its crown down to the line, and the tangent line of a length in modules that follows it.
+    def _tip_arc_and_line(
+        self, module: Floats, varied: Columns, line_length: Floats
+    ) -> tuple[Segments, Segments, tuple[Floats, Floats]]:
+        """The arc from its crown down to the line, the tangent line of a length in modules that follows it, and the
+        line's direction.
 
         The kernel follows the arc's circle from the line up to the addendum circle, so where the arc itself starts does
         not matter.
@@ -70,5 +73,7 @@ class TipArcProfile(ToothProfile):
         arc = Segments(
             x * module, (y + radius) * module, crown, 1.0 / (radius * module), normal_angle * radius * module
         )
-        end_x, end_y = x + radius * sin(normal_angle), y + radius * cos(normal_angle)
-        return arc, Segments(end_x * module, end_y * module, normal_angle, straight, line_length * module)
+        sine, cosine = sin(normal_angle), cos(normal_angle)
+        end_x, end_y = (x + radius * sine) * module, (y + radius * cosine) * module
+        line = Segments(end_x, end_y, normal_angle, straight, line_length * module)
+        return arc, line, (cosine, -sine)
