@@ -97,6 +97,16 @@ def test_rows_do_not_see_each_other(generator: str, profile: str) -> None:
         assert same(together, alone, np.array([row]))
 
 
+def test_thousands_of_rows_are_built_like_a_few() -> None:
+    """Many profiles are made on several threads, a few are not."""
+    design, keys = case(), ["flexspline.profile.tip_arc_radius", "circular_spline.profile.flank_angle"]
+    values = np.array([1.0802, 8.4]) * np.random.default_rng(7).uniform(0.99, 1.01, (1500, 2))
+    together = evaluate_batch(design, keys, values, threads=2)
+    assert same(together, evaluate_batch(design, keys, values, threads=1))
+    for few in (slice(0, 40), slice(700, 740), slice(1460, 1500)):
+        assert same(together, evaluate_batch(design, keys, values[few]), np.arange(1500)[few])
+
+
 def same(batch: Batch, other: Batch, rows: np.ndarray | None = None) -> bool:
     chosen = np.arange(len(batch)) if rows is None else rows
     return np.array_equal(batch.status[chosen], other.status) and all(
