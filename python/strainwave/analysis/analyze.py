@@ -50,6 +50,7 @@ def analyze(design: Design, *, threshold_um: float = 10.0, generator_angle_deg: 
 
     in_motion = curve.minimum()
     play = partial(Play.at_pitch_circle, pitch_radius_mm=teeth.pitch_radius_mm)
+    turns = engagement.circumferential(np.unique(abs(drive_index)))
     turn_in_motion = engagement.play_in_motion(in_motion.certified_to_um / MICROMETRES_PER_MM)
     return Analysis(
         design=design,
@@ -65,9 +66,7 @@ def analyze(design: Design, *, threshold_um: float = 10.0, generator_angle_deg: 
         teeth_interfering=ToothCount.at_angle_0(curve, interfering),
         interfering_teeth=teeth.tooth[overlap],
         first_interfering_tooth=_first(teeth.tooth[overlap], teeth.index[overlap]),
-        play=play(
-            float(drive_gap_um[least_place]), least(engagement.circumferential(abs(drive_index))) * MICROMETRES_PER_MM
-        ),
+        play=play(float(drive_gap_um[least_place]), least(turns) * MICROMETRES_PER_MM),
         play_in_motion=play(in_motion.gap_um, turn_in_motion * MICROMETRES_PER_MM),
         figures=GeometryFigures.of(geometry, design),
         gap_curve=curve,

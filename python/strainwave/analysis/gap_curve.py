@@ -39,10 +39,11 @@ class GapCurve:
 
     def gap_um(self, index: ArrayLike) -> NDArray[np.float64]:
         """Least signed clearance of both flanks in um, in the shape of ``index``; negative is a depth."""
-        # Folded into 0 .. z_f / 4, so that mirror images agree to the last bit.
+        # Folded into 0 .. z_f / 4, where each pose of a drive stands four times: mirror images agree to the last bit.
         folded = np.abs(within_lobe(np.asarray(index, dtype=np.float64), self.flexspline_teeth))
-        gap: NDArray[np.float64] = self.engagement.clearances(folded).gap.min(axis=-1) * MICROMETRES_PER_MM
-        return gap
+        once, place = np.unique(folded, return_inverse=True)
+        gap: NDArray[np.float64] = self.engagement.clearances(once).gap.min(axis=-1) * MICROMETRES_PER_MM
+        return gap[place].reshape(folded.shape)
 
     def sample(self, count: int = 1001) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """``count`` evenly spaced indices from 0 to z_f / 4 and the gap in um at each, both of shape ``(count,)``."""

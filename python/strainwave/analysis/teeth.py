@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from strainwave._kernel import Engagement
 from strainwave.analysis.witness import Witnesses
 from strainwave.design import Design
 from strainwave.geometry import Geometry
@@ -42,14 +43,14 @@ class Teeth:
     def at(cls, tooth: NDArray[np.int64], index: NDArray[np.float64], geometry: Geometry, design: Design) -> Teeth:
         """Clearances of the teeth numbered ``tooth`` that stand at ``index``, both of shape ``(teeth,)``."""
         curve, engagement = geometry.neutral_curve, geometry.engagement
-        turn_um = engagement.circumferential(index) * MICROMETRES_PER_MM
+        left_um, right_um = _circumferential_um(engagement, index)
         radial_um = engagement.radial_clearances(index) * MICROMETRES_PER_MM
         return cls(
             tooth=tooth,
             index=index,
             phi_deg=np.degrees(curve.angle_at(index * curve.perimeter / design.flexspline.teeth)),
-            circumferential_left_um=turn_um[:, 0],
-            circumferential_right_um=turn_um[:, 1],
+            circumferential_left_um=left_um,
+            circumferential_right_um=right_um,
             tip_clearance_um=radial_um[:, 0],
             root_clearance_um=radial_um[:, 1],
             pitch_radius_mm=design.circular_spline_pitch_radius_mm,
@@ -94,3 +95,13 @@ class Teeth:
 
     def _angle_arcsec(self, arc_um: NDArray[np.float64]) -> NDArray[np.float64]:
         return arc_um / MICROMETRES_PER_MM / self.pitch_radius_mm * ARCSECONDS_PER_RADIAN
+
+
+def _circumferential_um(
+    engagement: Engagement, index: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Of the left and of the right flank; the left flank of a tooth is the right one of its mirror image."""
+    once, place = np.unique(np.abs(index), return_inverse=True)
+    left_um, right_um = (engagement.circumferential(once) * MICROMETRES_PER_MM)[place].T
+    mirrored = index < 0.0
+    return np.where(mirrored, right_um, left_um), np.where(mirrored, left_um, right_um)
