@@ -33,10 +33,22 @@ class TomlFile:
                 content = file.read(LARGEST_FILE_BYTES + 1)
         except (OSError, ValueError) as error:  # ValueError: a path with a null character
             raise DesignError([Fault("", problem=self._why_unreadable(error))], source) from None
+        return self.decoded(content, source)
+
+    def decoded(self, content: bytes, source: str) -> str:
+        """The text in the bytes of a file. DesignError where it is too large, or no text."""
         if len(content) > LARGEST_FILE_BYTES:
             problem = f"is larger than {LARGEST_FILE_BYTES // 1_000_000} MB, so it is no {self.noun}"
             raise DesignError([Fault("", problem=problem)], source)
-        return self._decoded(content, source)
+        try:
+            text = content.decode("utf-8-sig")
+        except UnicodeDecodeError as error:
+            line = content.count(b"\n", 0, error.start) + 1
+            fault = Fault(f"line {line}", problem="is not UTF-8 text", remedy="Save the file as UTF-8 text in TOML")
+            raise DesignError([fault], source) from None
+        if "\0" in text:
+            raise DesignError([Fault("", problem=f"is a binary file, not a {self.holds} in TOML")], source)
+        return text
 
     def tree(self, text: str, source: str | None) -> dict[str, Any]:
         """The tree of tables in TOML text. DesignError names the place that is no TOML, and `source`."""
@@ -60,17 +72,6 @@ class TomlFile:
         if isinstance(error, PermissionError):
             return "may not be read: permission denied"
         return f"cannot be read: {error.strerror if isinstance(error, OSError) else error}"
-
-    def _decoded(self, content: bytes, source: str) -> str:
-        try:
-            text = content.decode("utf-8-sig")
-        except UnicodeDecodeError as error:
-            line = content.count(b"\n", 0, error.start) + 1
-            fault = Fault(f"line {line}", problem="is not UTF-8 text", remedy="Save the file as UTF-8 text in TOML")
-            raise DesignError([fault], source) from None
-        if "\0" in text:
-            raise DesignError([Fault("", problem=f"is a binary file, not a {self.holds} in TOML")], source)
-        return text
 
 
 def _syntax_fault(text: str, message: str) -> Fault:

@@ -24,17 +24,18 @@ SECTIONS = 11
 MOST_SECTIONS = 10_001
 
 
-def face_map(analysis: Analysis, sections: int = SECTIONS) -> FaceMap:
+def face_map(analysis: Analysis, sections: int = SECTIONS, *, threads: int = 0) -> FaceMap:
     """Backlash in evenly spaced sections along the face, of which the middle one is mid-face.
 
-    ``sections`` is odd, so that there is a middle one. Raises ``StrainwaveError`` where it is not, and ``DesignError``
-    where the cup cannot be bent as far as its open end would be.
+    ``sections`` is odd, so that there is a middle one; ``threads`` are the cores that it may use, 0 for all. Raises
+    ``StrainwaveError`` where there is no such number of sections, and ``DesignError`` where the cup cannot be bent as
+    far as its open end would be.
     """
     check_sections(sections)
     design, cup = analysis.design, Cup.of(analysis.design)
     z_mm = cup.engaged_mm(sections)
     w0_mm = cup.w0_mm(z_mm)
-    motion = _in_motion(analysis, cup, w0_mm)
+    motion = _in_motion(analysis, cup, w0_mm, threads)
     impossible = next((row for row, code in enumerate(motion.errors) if code is not None), None)
     if impossible is not None:
         raise cup.refusal(float(w0_mm[impossible]), motion.reason(impossible))
@@ -65,7 +66,7 @@ def check_sections(sections: int) -> None:
         )
 
 
-def _in_motion(analysis: Analysis, cup: Cup, w0_mm: Floats) -> BatchMetrics:
+def _in_motion(analysis: Analysis, cup: Cup, w0_mm: Floats, threads: int) -> BatchMetrics:
     rows = DesignRows(analysis.design, NOTHING_VARIED)
     return evaluate_batch(
         profiles(rows, "flexspline"),
@@ -75,6 +76,7 @@ def _in_motion(analysis: Analysis, cup: Cup, w0_mm: Floats) -> BatchMetrics:
         play=False,
         radial=False,
         in_motion=analysis.in_motion.certified_to_um / MICROMETRES_PER_MM,
+        threads=threads,
     )
 
 

@@ -3,7 +3,7 @@
 from strainwave.design.design import Design
 from strainwave.design.design_rows import DesignRows
 from strainwave.design.parameters import Parameter, parameters_of
-from strainwave.design.reader import load, loads
+from strainwave.design.reader import decode, load, loads
 from strainwave.design.schema import json_schema
 from strainwave.design.splines import CircularSpline, Flexspline
 from strainwave.design.template import template
@@ -15,6 +15,7 @@ __all__ = [
     "DesignRows",
     "Flexspline",
     "Parameter",
+    "decode",
     "dumps",
     "json_schema",
     "load",

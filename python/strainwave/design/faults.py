@@ -63,18 +63,18 @@ def _place(location: tuple[int | str, ...], root: type[Spec], root_key: str) -> 
         table = tables.get("", place.table)
         field = table.model_fields.get(part)
         place = Place(key, table, place.key, part, field)
-        tables = _tables(field.annotation) if field else {}
+        tables = tables_of(field.annotation) if field else {}
     return place
 
 
-def _tables(annotation: Any) -> dict[str, type[Spec]]:
+def tables_of(annotation: Any) -> dict[str, type[Spec]]:
     """The tables that a field may hold, by kind; the key is "" for the only one."""
     if isinstance(annotation, type) and issubclass(annotation, Spec):
         kind = annotation.model_fields.get("kind")
         return {kind.default if kind else "": annotation}
     found: dict[str, type[Spec]] = {}
     for argument in get_args(annotation):
-        found |= _tables(argument)
+        found |= tables_of(argument)
     return found
 
 
@@ -86,7 +86,7 @@ def _remedy(place: Place, verb: str = "Write") -> str:
     """What the key stands for and how one is written, from its description."""
     if place.field is None:
         return ""
-    if _tables(place.field.annotation) and not place.field.examples:
+    if tables_of(place.field.annotation) and not place.field.examples:
         return f"{verb} the table [{place.key}] ({place.field.description})"
     examples = place.field.examples or []
     return f"{verb} for example {place.name} = {_toml(examples[0])} ({place.field.description})" if examples else ""
@@ -117,13 +117,13 @@ def _nearest(place: Place, root: type[Spec]) -> str:
 def _all_tables(table: type[Spec], key: str = "") -> Iterable[tuple[str, type[Spec]]]:
     yield key, table
     for name, field in table.model_fields.items():
-        for inner in _tables(field.annotation).values():
+        for inner in tables_of(field.annotation).values():
             yield from _all_tables(inner, joined(key, name))
 
 
 def _kind_faults(place: Place, value: Any) -> Iterable[Fault]:
     """The fault of a kind that is missing or unknown, and those that the table has whichever kind was meant."""
-    tables = _tables(place.field.annotation) if place.field else {}
+    tables = tables_of(place.field.annotation) if place.field else {}
     table = value if isinstance(value, Mapping) else {}
     kind = table.get("kind")
     close = difflib.get_close_matches(kind[:100], tables, n=1) if isinstance(kind, str) else []

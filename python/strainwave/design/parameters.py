@@ -76,21 +76,21 @@ def _step(value: Any, annotation: Any, part: Part) -> tuple[Any, Any, Sequence[A
     """The value that `part` names in a table or an array, its annotation, and what that says about it."""
     if isinstance(value, Spec) and isinstance(part, str):
         field = type(value).model_fields[part]
-        return getattr(value, part), *_plain(field.annotation, field.metadata)
+        return getattr(value, part), *plain_annotation(field.annotation, field.metadata)
     if isinstance(value, tuple) and isinstance(part, int):
         items = get_args(annotation)
-        return value[part], *_plain(items[0] if items[-1] is Ellipsis else items[part], ())
+        return value[part], *plain_annotation(items[0] if items[-1] is Ellipsis else items[part], ())
     raise LookupError(part)
 
 
-def _plain(annotation: Any, metadata: Sequence[Any]) -> tuple[Any, Sequence[Any]]:
+def plain_annotation(annotation: Any, metadata: Sequence[Any]) -> tuple[Any, Sequence[Any]]:
     """An annotation without `Annotated` and `None`, and the metadata found on the way."""
     if get_origin(annotation) is Annotated:
         inner, *more = get_args(annotation)
-        return _plain(inner, (*metadata, *more))
+        return plain_annotation(inner, (*metadata, *more))
     others = [item for item in get_args(annotation) if item is not NoneType]
     if len(others) == 1 and len(get_args(annotation)) == 2 and get_origin(annotation) is not tuple:
-        return _plain(others[0], metadata)
+        return plain_annotation(others[0], metadata)
     return annotation, metadata
 
 

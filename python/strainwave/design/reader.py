@@ -7,7 +7,7 @@ import os
 from strainwave.design.design import Design
 from strainwave.toml_file import LARGEST_FILE_BYTES, TomlFile
 
-__all__ = ["LARGEST_FILE_BYTES", "load", "loads"]
+__all__ = ["LARGEST_FILE_BYTES", "decode", "load", "loads"]
 
 _FILE = TomlFile("design file", "design", "Start from the template that `strainwave new` writes")
 
@@ -16,6 +16,11 @@ def load(path: str | os.PathLike[str]) -> Design:
     """The design in a TOML file. DesignError names every fault in it, or why it cannot be read."""
     source = os.fspath(path)
     return loads(_FILE.text(source), source)
+
+
+def decode(content: bytes, source: str) -> Design:
+    """The design in the bytes of a TOML file that came without a path. DesignError names every fault, and `source`."""
+    return loads(_FILE.decoded(content, source), source)
 
 
 def loads(text: str, source: str | None = None) -> Design:

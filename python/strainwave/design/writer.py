@@ -14,7 +14,12 @@ from strainwave.whole_file import write_whole
 
 def dumps(design: Design) -> str:
     """The design as TOML text that `loads` reads back as an equal design."""
-    return "\n".join(_lines(design.to_dict(), "")).lstrip("\n") + "\n"
+    return toml_text(design.to_dict())
+
+
+def toml_text(tree: Mapping[str, Any]) -> str:
+    """A tree of tables as TOML text; arrays of tables as inline ones."""
+    return "\n".join(_lines(tree, "")).lstrip("\n") + "\n"
 
 
 def save(design: Design, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:

@@ -51,7 +51,7 @@ class ExportChoice:
 
         StrainwaveError where the choice makes no sense or the teeth have no room for the clearance.
         """
-        self._check(design)
+        self.check(design)
         geometry = Geometry.of(design)
         if not self.printing_clearance_mm:
             return geometry
@@ -80,7 +80,8 @@ class ExportChoice:
         clearance = f", the teeth {abs(moved):g} mm {'thinner' if moved > 0.0 else 'thicker'} all round for printing"
         return f"{words}, {state}{clearance if moved else ''}"
 
-    def _check(self, design: Design) -> None:
+    def check(self, design: Design) -> None:
+        """StrainwaveError where the choice makes no sense for the design; whether teeth have room shows later."""
         unknown = [part for part in self.only if part not in PARTS]
         if unknown:
             raise StrainwaveError(f"there is no part {unknown[0]!r}; the parts are {', '.join(PARTS)}")

@@ -2,29 +2,20 @@
 
 from __future__ import annotations
 
-import math
 import os
 from collections.abc import Callable
-from typing import Literal, get_args
 
-from strainwave.assembly.chord_error import checked
 from strainwave.design import Design
-from strainwave.errors import StrainwaveError
 from strainwave.export.choice import ExportChoice
 from strainwave.export.drawing import Drawing
 from strainwave.export.dxf import drawing_dxf
+from strainwave.export.format import Format, checked_chord_error
 from strainwave.export.pieces import drawing_json
 from strainwave.export.points_csv import drawing_csv
 from strainwave.export.solid import gear_step
 from strainwave.export.surface import gear_glb, gear_stl
 from strainwave.export.svg import drawing_svg
 from strainwave.whole_file import check_free, write_whole
-
-Format = Literal["dxf", "svg", "csv", "json", "step", "stl", "glb"]
-FORMATS: tuple[Format, ...] = get_args(Format)
-CHORD_ERRORS_MODULES: dict[Format, float] = {"csv": 0.001, "stl": 0.01, "glb": 0.01}
-"""Of the formats that have chords for arcs: how far these may lie off where nothing is said."""
-
 
 WRITERS: dict[Format, Callable[[Drawing], str | bytes]] = {
     "dxf": drawing_dxf,
@@ -58,22 +49,10 @@ def gear_file(
 ) -> str | bytes:
     """The content of such a file; see `export_gear`."""
     choice = choice or ExportChoice()
-    error = _chord_error(format, chord_error_mm, design)
+    error = checked_chord_error(format, chord_error_mm, design)
     if format in ("stl", "glb"):
         return (gear_stl if format == "stl" else gear_glb)(design, choice, error)
     drawing = Drawing.of(design, choice)
     if format == "csv":
         return drawing_csv(drawing, chord_error_mm=error)
     return WRITERS[format](drawing)
-
-
-def _chord_error(format: Format, asked: float | None, design: Design) -> float:
-    if format not in FORMATS:
-        raise StrainwaveError(f"there is no format {format!r}; the formats are {', '.join(FORMATS)}")
-    if format in CHORD_ERRORS_MODULES:
-        return checked(CHORD_ERRORS_MODULES[format] * design.module if asked is None else asked, design)
-    if asked is not None:
-        raise StrainwaveError(
-            f"{format} files hold arcs as arcs, without chords; leave out the chord error (--chord-error)"
-        )
-    return math.nan

@@ -34,13 +34,14 @@ def tolerance_report(found: ToleranceAnalysis) -> Iterator[RenderableType]:
     title = found.design.title
     yield Text(f"{title}; {found.tolerances.name}" if found.tolerances.name else title, "bold")
     yield Text(f"YIELD {yield_text(found.yield_)}", "bold")
-    for note in _notes(found):
+    for note in notes(found):
         yield Text(note)
     for table in (_percentiles(found), _slopes(found), _variance(found), _samples(found)):
         yield Padding(table, (1, 0, 0, 0))
 
 
-def _notes(found: ToleranceAnalysis) -> Iterator[str]:
+def notes(found: ToleranceAnalysis) -> Iterator[str]:
+    """What limits the result, in words."""
     monte_carlo = found.monte_carlo
     if monte_carlo.interrupted:
         yield f"interrupted after {len(monte_carlo.responses)} of {monte_carlo.asked} samples, which are kept"

@@ -32,7 +32,7 @@ def tuning_report(tuning: Tuning) -> Iterator[RenderableType]:
     if tuning.windows:
         yield Padding(_windows(tuning), (1, 0, 0, 0))
         yield Padding(_goals(tuning), (1, 0, 1, 0))
-    yield from (Text(f"note: {note}", "dim") for note in _notes(tuning))
+    yield from (Text(f"note: {note}", "dim") for note in notes(tuning))
 
 
 def _windows(tuning: Tuning) -> Table:
@@ -70,7 +70,8 @@ def _goals(tuning: Tuning) -> Table:
     return table
 
 
-def _notes(tuning: Tuning) -> Iterator[str]:
+def notes(tuning: Tuning) -> Iterator[str]:
+    """What limits the result, in words."""
     scan = tuning.scan
     step_um = float(scan.w0_mm[1] - scan.w0_mm[0]) * MICROMETRES_PER_MM
     yield (

@@ -8,7 +8,7 @@ from strainwave.studies.tolerance.sensitivity import Sensitivity
 from strainwave.studies.tolerance.sobol_indices import SobolIndices
 from strainwave.studies.tolerance.tolerance_analysis import ToleranceAnalysis
 from strainwave.studies.tolerance.toleranced import ECCENTRICITY, Toleranced
-from strainwave.studies.tolerance.tolerances import Tolerances, load_tolerances
+from strainwave.studies.tolerance.tolerances import Tolerances, decode_tolerances, dump_tolerances, load_tolerances
 from strainwave.studies.tolerance.witness_point import Witness
 
 __all__ = [
@@ -27,5 +27,7 @@ __all__ = [
     "Witness",
     "Yield",
     "analyze_tolerance",
+    "decode_tolerances",
+    "dump_tolerances",
     "load_tolerances",
 ]

@@ -10,6 +10,7 @@ from pydantic import Field, StrictStr
 
 from strainwave.design import Design, parameters_of
 from strainwave.design.keys import leaves
+from strainwave.design.writer import toml_text
 from strainwave.errors import DesignError, Fault
 from strainwave.quantities import MM
 from strainwave.studies.study_file import StudyFile, Tables
@@ -63,6 +64,16 @@ def load_tolerances(path: str | os.PathLike[str]) -> Tolerances:
     """The tolerances in a TOML file. DesignError names every fault in it, or why it cannot be read."""
     source = os.fspath(path)
     return Tolerances.from_dict(_FILE.tree(_FILE.text(source), source), source)
+
+
+def decode_tolerances(content: bytes, source: str) -> Tolerances:
+    """The same in the bytes of a TOML file that came without a path."""
+    return Tolerances.from_dict(_FILE.tree(_FILE.decoded(content, source), source), source)
+
+
+def dump_tolerances(tolerances: Tolerances) -> str:
+    """TOML text that holds equal tolerances."""
+    return toml_text(tolerances.model_dump(exclude_none=True))
 
 
 def _number(design: Design, key: str, known: Mapping[str, Any]) -> tuple[str, str, float]:
