@@ -36,10 +36,13 @@ def page(film: Film, progress: Progress = silent) -> str:
 
     All positions and clearances come from the engagement; the script only places and paints.
     """
-    template = Template(resources.files("strainwave.animation").joinpath("page.html").read_text(encoding="utf-8"))
+    files = resources.files("strainwave.animation")
+    template = Template(files.joinpath("page.html").read_text(encoding="utf-8"))
+    drawing = files.joinpath("drawing", "index.js").read_text(encoding="utf-8")
     return template.substitute(
         title=html.escape(film.analysis.design.title),
         words=html.escape(film.words),
+        drawing=drawing.replace("export ", ""),  # a page of one file has no modules
         data=json.dumps(_data(film, progress), separators=(",", ":"), ensure_ascii=False),
     )
 

@@ -12,8 +12,8 @@ from strainwave.columns import Floats
 from strainwave.conjugation.boundary import Boundary
 from strainwave.conjugation.branch import Branch
 from strainwave.conjugation.generation import Generation
-from strainwave.design import Design
 from strainwave.scene.outlines import placed, tooth_outline, turned
+from strainwave.scene.poses import poses_in_space
 
 CHORD_ERROR_MODULES = 2e-4
 # Points along each branch of the envelope, and along the path of the tip.
@@ -62,9 +62,9 @@ class Trajectory:
         swept = Boundary.of(branches, generation.gear).stretches
         return cls(
             index=index,
-            teeth=placed(tooth_outline(geometry.flexspline, error), _in_space(engagement, index, design)),
+            teeth=placed(tooth_outline(geometry.flexspline, error), poses_in_space(engagement, index, design)),
             path_index=path_index,
-            path=placed(tip, _in_space(engagement, path_index, design))[:, 0],
+            path=placed(tip, poses_in_space(engagement, path_index, design))[:, 0],
             ring=(ring[0], ring[1]),
             envelope=tuple(space.of(branch, branch.first, branch.last) for branch in branches),
             swept=tuple(space.of(each.branch, each.first, each.last) for each in swept),
@@ -84,13 +84,6 @@ class _Space:
         upright = turned(np.stack([points.real, points.imag], axis=-1), self.half_pitch + np.pi)
         tooth = self.pitch_radius * np.array([np.sin(self.half_pitch), np.cos(self.half_pitch)])
         return upright + tooth - (0.0, self.pitch_radius)
-
-
-def _in_space(engagement: Engagement, index: Floats, design: Design) -> Floats:
-    """Poses of the tooth in the frame of its own space, also where it has left that for the next one, (m, 3)."""
-    pose, space = engagement.flexspline_poses(index), 2.0 * np.pi * index / design.circular_spline.teeth
-    at = (pose[:, 0] + 1j * pose[:, 1]) * np.exp(1j * space) - 1j * design.circular_spline_pitch_radius_mm
-    return np.column_stack([at.real, at.imag, pose[:, 2] - space])
 
 
 def _ring_poses(engagement: Engagement, analysis: Analysis) -> Floats:
