@@ -25,27 +25,32 @@ class LocalPage:
 
     page: Page
     complaints: list[str] = field(default_factory=list)
-    """Errors of the console, uncaught exceptions, and requests to anything but the file itself."""
+    """Errors of the console, uncaught exceptions, and requests to anything but `own`."""
+    own: tuple[str, ...] = LOCAL
+    """How an address begins that the page may ask for."""
 
     @classmethod
     def opened(cls, context: BrowserContext, file: Path) -> LocalPage:
         """Open `file` and wait until it is loaded; listeners stand before the first byte is read."""
-        page = context.new_page()
-        page.set_default_timeout(LONGEST_WAIT_MS)
-        opened = cls(page)
-        page.on("console", opened._note_console)
-        page.on("pageerror", lambda error: opened.complaints.append(f"exception: {error}"))
-        page.on("request", lambda request: opened._note_address(request.url))
-        page.on("websocket", lambda socket: opened._note_address(socket.url))
-        page.goto(file.resolve().as_uri(), wait_until="load")
+        opened = cls(context.new_page())
+        opened.watch()
+        opened.page.goto(file.resolve().as_uri(), wait_until="load")
         return opened
+
+    def watch(self) -> None:
+        """Begin to note complaints."""
+        self.page.set_default_timeout(LONGEST_WAIT_MS)
+        self.page.on("console", self._note_console)
+        self.page.on("pageerror", lambda error: self.complaints.append(f"exception: {error}"))
+        self.page.on("request", lambda request: self._note_address(request.url))
+        self.page.on("websocket", lambda socket: self._note_address(socket.url))
 
     def _note_console(self, message: ConsoleMessage) -> None:
         if message.type in ("error", "assert"):
             self.complaints.append(f"console: {message.text}")
 
     def _note_address(self, address: str) -> None:
-        if not address.startswith(LOCAL):
+        if not address.startswith(self.own):
             self.complaints.append(f"request: {address}")
 
     def run(self, script: str) -> Any:

@@ -10,12 +10,11 @@ import pytest
 from strainwave.analysis import analyze, face_map
 from strainwave.plots.interactive import assembly_3d_figure, face_figure, interactive_page
 from tests.browser.conftest import OpenPage
+from tests.browser.hues import CLOSE, INTERFERENCE, RING, share
 from tests.browser.local_page import LocalPage, Pixels
 from tests.designs import case
 
-# A share of a colour's own brightness is light; hues are kept.
 WIDTH = 560
-RING, INTERFERENCE, CLOSE = (242, 208, 138), (240, 160, 90), (8, 60, 120)
 
 
 @pytest.fixture(scope="module")
@@ -30,14 +29,6 @@ def drawn(page: LocalPage) -> Pixels:
     page.wait_for("document.querySelector('#picture canvas') !== null")
     page.page.wait_for_timeout(1500)
     return page.pixels()[:, : int(0.8 * WIDTH)]
-
-
-def share(pixels: Pixels, colour: tuple[int, int, int]) -> float:
-    """Share of the pixels of nearly this hue, however bright."""
-    one, other = pixels.astype(np.float64), np.array(colour, dtype=np.float64)
-    alike = (one @ other) / np.maximum(np.linalg.norm(one, axis=-1) * np.linalg.norm(other), 1.0)
-    coloured = one.max(axis=-1) - one.min(axis=-1) > 30.0
-    return float(((alike > 0.995) & coloured).mean())
 
 
 def test_the_gear_is_drawn_and_turns_without_a_complaint(page_file: Path, open_page: OpenPage) -> None:

@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from strainwave.studies.comparison import Comparison, Contender
+    from strainwave.studies.comparison.contender import Setting
 
 CURVE_SAMPLES = 1025
 COLOURS = (BLUE, ORANGE, GREEN, PURPLE, INK, SKY)
@@ -25,18 +26,13 @@ def comparison_figure(comparison: Comparison) -> Figure:
     """Two panels with one curve for each generator, from the major axis to the minor one."""
     from matplotlib.figure import Figure
 
-    titles = {
-        "common": f"all at w0 {comparison.w0_mm:g} mm",
-        "tuned": f"each at its own w0, {comparison.goal}",
-    }
     with house_style():
         figure = Figure(figsize=(9.6, 5.2), layout="constrained")
         panels = figure.subplots(1, 2, sharex=True, sharey=True)
         labels = list(dict.fromkeys(each.label for each in comparison.contenders))
-        for axes, (setting, title) in zip(panels, titles.items(), strict=True):
-            contenders = comparison.at("common" if setting == "common" else "tuned")
+        for axes, (setting, title) in zip(panels, titles(comparison).items(), strict=True):
             _draw_levels(axes, comparison)
-            for contender in contenders:
+            for contender in comparison.at(setting):
                 _draw(axes, contender, labels.index(contender.label))
             axes.set_title(title)
             axes.set_xlabel("tooth index from the major axis")
@@ -48,13 +44,25 @@ def comparison_figure(comparison: Comparison) -> Figure:
     return figure
 
 
+def titles(comparison: Comparison) -> dict[Setting, str]:
+    """What the contenders of each setting have in common."""
+    return {
+        "common": f"all at w0 {comparison.w0_mm:g} mm",
+        "tuned": f"each at its own w0, {comparison.goal}",
+    }
+
+
 def _limit(axes: Axes, comparison: Comparison) -> None:
+    axes.set_xlim(0.0, comparison.design.flexspline.teeth / 4)
+    axes.set_ylim(*gap_range(comparison))
+
+
+def gap_range(comparison: Comparison) -> tuple[float, float]:
+    """From the deepest interference worth seeing to some thresholds above zero, um."""
     found = [each.analysis for each in comparison.contenders if each.analysis]
     threshold = comparison.threshold_um
     lowest = min([0.0, *(each.min_in_motion_um for each in found)])
-    last = comparison.design.flexspline.teeth / 4
-    axes.set_xlim(0.0, last)
-    axes.set_ylim(max(lowest, -THRESHOLDS_BELOW * threshold) - 0.5 * threshold, THRESHOLDS_ABOVE * threshold)
+    return max(lowest, -THRESHOLDS_BELOW * threshold) - 0.5 * threshold, THRESHOLDS_ABOVE * threshold
 
 
 def _draw_levels(axes: Axes, comparison: Comparison) -> None:

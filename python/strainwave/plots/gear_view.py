@@ -47,11 +47,12 @@ class GearView:
     bodies: tuple[ViewedBody, ...]
 
 
-def gear_view(analysis: Analysis, *, chord_error_mm: float | None = None) -> GearView:
-    """The gear with the flexspline bent and its teeth coloured by their clearance along the face."""
+def gear_view(analysis: Analysis, *, chord_error_mm: float | None = None, face: FaceMap | None = None) -> GearView:
+    """The gear with the flexspline bent and its teeth coloured by their clearance along the face; `face` is the map of
+    the same analysis where it is known already."""
     design, geometry, angle = analysis.design, analysis.geometry, analysis.generator_angle_deg
     error = CHORD_ERROR_MODULES * design.module if chord_error_mm is None else chord_error_mm
-    face = face_map(analysis)
+    face = face_map(analysis) if face is None else face
     cup = flexspline_mesh(
         geometry, design, deformed=True, chord_error_mm=error, generator_angle_deg=angle, face_strips=STRIPS
     )

@@ -31,7 +31,7 @@ def _before_and_after(found: Optimization) -> Figure:
 
     problem = found.problem
     best = analyze(found.best, threshold_um=problem.threshold_um)
-    start = _start(found)
+    start = start_analysis(found)
     figure = Figure(figsize=(8.0, 4.6), layout="constrained")
     axes = figure.add_subplot()
     limit_to_contact(axes, best, *([start] if start else []))
@@ -47,7 +47,8 @@ def _before_and_after(found: Optimization) -> Figure:
     return figure
 
 
-def _start(found: Optimization) -> Analysis | None:
+def start_analysis(found: Optimization) -> Analysis | None:
+    """The design to start from, None where it is no gear."""
     from strainwave.analysis import analyze
     from strainwave.errors import DesignError
 
@@ -65,7 +66,7 @@ def _front(found: Optimization) -> Figure:
     panels = figure.subplots(len(others), 1, sharex=True, squeeze=False)[:, 0]
     for axes, other in zip(panels, others, strict=True):
         _panel(axes, found, first, other)
-    panels[-1].set_xlabel(_label(found, first))
+    panels[-1].set_xlabel(figure_label(found, first))
     set_title(panels[0], found.problem.design.title, pad=20.0)
     _subtitle(panels[0], f"Pareto front of {len(found)} designs, {found.evaluations} looked at")
     figure.legend(*panels[0].get_legend_handles_labels(), loc="outside lower center", ncols=2)
@@ -79,11 +80,12 @@ def _panel(axes: Axes, found: Optimization, first: DesignFigure, other: DesignFi
     if np.isfinite(start).all():
         label = "start" if found.start_meets_all else "start, which misses a requirement"
         axes.plot(*start, "D", ms=6, color=ORANGE, label=label)
-    axes.set_ylabel(_label(found, other))
+    axes.set_ylabel(figure_label(found, other))
     axes.margins(0.08)
 
 
-def _label(found: Optimization, figure: DesignFigure) -> str:
+def figure_label(found: Optimization, figure: DesignFigure) -> str:
+    """An objective with its unit and direction."""
     direction = next(each.direction for each in found.problem.objectives if each.figure is figure)
     return f"{figure.name}, {figure.unit} ({'less' if direction == 'min' else 'more'} is better)"
 

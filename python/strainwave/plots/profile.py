@@ -35,7 +35,7 @@ THICKEST_RIM = 1.0
 
 
 @dataclass(frozen=True)
-class _Side:
+class ToothSide:
     """One spline of the picture: its table in the design file, its tooth, and the rim drawn below it in modules."""
 
     table: str
@@ -44,6 +44,7 @@ class _Side:
     colour: str
 
     def dimensions(self, design: Design, highlight: str) -> list[Dimension]:
+        """All that are shown of this spline; ``highlight``, a key of the design, is among them if it can be."""
         found = list(profile_dimensions(self.sketch, self.own(highlight)))
         return [*found, *rim_dimensions(design, self.rim, self.sketch)] if self.rim else found
 
@@ -59,7 +60,7 @@ def profile_figure(design: Design, *, highlight: str = "") -> Figure:
     """
     from matplotlib.figure import Figure
 
-    sides = _sides(design)
+    sides = sides_of(design)
     window = _Window.around(sides)
     dimensions = [side.dimensions(design, highlight) for side in sides]
     others = DIMMED if any(
@@ -82,12 +83,13 @@ def profile_figure(design: Design, *, highlight: str = "") -> Figure:
     return figure
 
 
-def _sides(design: Design) -> tuple[_Side, _Side]:
+def sides_of(design: Design) -> tuple[ToothSide, ToothSide]:
+    """Flexspline and circular spline. DesignError where the design has no geometry."""
     geometry = Geometry.of(design)
     flexspline = ToothSketch(design.flexspline.profile, geometry.flexspline, design.module)
     circular_spline = ToothSketch(design.circular_spline.profile, geometry.circular_spline, design.module)
     rim = min(design.flexspline.wall_thickness / design.module, THICKEST_RIM * flexspline.depth)
-    return _Side("flexspline", flexspline, rim, SKY), _Side("circular_spline", circular_spline, 0.0, ORANGE)
+    return ToothSide("flexspline", flexspline, rim, SKY), ToothSide("circular_spline", circular_spline, 0.0, ORANGE)
 
 
 def _height() -> float:
@@ -102,7 +104,7 @@ class _Window:
     middle: float
 
     @classmethod
-    def around(cls, sides: tuple[_Side, ...]) -> _Window:
+    def around(cls, sides: tuple[ToothSide, ...]) -> _Window:
         outlines = np.concatenate([side.sketch.outline for side in sides])
         low = min(side.sketch.outline[:, 1].min() - (side.rim or BODY_BELOW_ROOT) for side in sides) - BELOW
         high = outlines[:, 1].max() + ABOVE_TIP
@@ -122,7 +124,7 @@ class _Window:
         axes.axis("off")
 
 
-def _draw_tooth(axes: Axes, design: Design, side: _Side) -> None:
+def _draw_tooth(axes: Axes, design: Design, side: ToothSide) -> None:
     """The tooth with the body below it, and the circles that its heights are counted from."""
     sketch, spec = side.sketch, side.sketch.spec
     inner, outer = (np.linspace(share, -share, 129) * sketch.half_pitch for share in (1.0, 1.12))

@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
+    from strainwave.columns import Floats
     from strainwave.studies.tolerance import SobolIndices, ToleranceAnalysis
     from strainwave.studies.tolerance.monte_carlo import Yield
 
@@ -54,7 +55,7 @@ def _percent(share: float) -> str:
 def _histogram(axes: Axes, found: ToleranceAnalysis) -> None:
     least = found.monte_carlo.responses.min_in_motion_um
     least = least[np.isfinite(least)]
-    heights, edges = np.histogram(least, _edges(least))
+    heights, edges = np.histogram(least, bin_edges(least))
     middles = 0.5 * (edges[1:] + edges[:-1])
     colours = [VERMILION if middle < 0.0 else BLUE for middle in middles]
     axes.bar(middles, 100.0 * heights / len(found.monte_carlo.responses), np.diff(edges), color=colours, lw=0)
@@ -75,7 +76,7 @@ def _histogram(axes: Axes, found: ToleranceAnalysis) -> None:
     axes.annotate(text, (0.0, 1.0), (0.0, 6.0), xycoords="axes fraction", textcoords="offset points", color=INK)
 
 
-def _edges(least: np.ndarray[tuple[int, ...], np.dtype[np.float64]]) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
+def bin_edges(least: Floats) -> Floats:
     """Edges of bins of one width, 0 among them, so that no bar holds gears that run and gears that do not."""
     low, high = (float(least.min()), float(least.max())) if len(least) else (-1.0, 1.0)
     width = max(high - low, 1e-6) / BINS

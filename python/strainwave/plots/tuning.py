@@ -12,7 +12,8 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from strainwave.studies.tuning import Choice, Tuning
+    from strainwave.columns import Mask
+    from strainwave.studies.tuning import Choice, Tuning, W0Scan
 
 MARKERS = {"power": ("s", BLUE), "precision": ("o", ORANGE), "balanced": ("D", INK)}
 # The magnified panel shows this share of the windows' span on either side of them, and at least so many modules.
@@ -46,11 +47,14 @@ def tuning_figure(tuning: Tuning) -> Figure:
 
 def _draw_minimum(axes: Axes, tuning: Tuning) -> None:
     scan = tuning.scan
-    known = np.isfinite(scan.min_in_motion_um)
     axes.axhline(0.0, color=VERMILION, lw=1.0)
-    # A gap in the rows that are gears is a gap in the line.
-    shown = known | ~scan.possible
+    shown = rows_drawn(scan)
     axes.plot(scan.w0_mm[shown], scan.min_in_motion_um[shown], color=BLUE, lw=1.3, label="minimum in motion")
+
+
+def rows_drawn(scan: W0Scan) -> Mask:
+    """The rows whose minimum is known; also those that are no gear, for a gap in the gears is a gap in the line."""
+    return np.asarray(np.isfinite(scan.min_in_motion_um) | ~scan.possible)
 
 
 def _shade_windows(axes: Axes, tuning: Tuning) -> None:
@@ -66,10 +70,17 @@ def _frame_wide(axes: Axes, tuning: Tuning) -> None:
 
 
 def _frame_close(axes: Axes, tuning: Tuning) -> None:
-    """The windows, what lies beside them, and the design's own w0 where it is near."""
+    x_range, y_range = close_view(tuning)
+    axes.set_xlim(*x_range)
+    axes.set_ylim(*y_range)
+    set_title(axes, tuning.design.title, longest=64)
+
+
+def close_view(tuning: Tuning) -> tuple[tuple[float, float], tuple[float, float]]:
+    """Ranges of w0 and of the minimum that show the windows, what lies beside them, and the own w0 where it is near."""
     scan = tuning.scan
     first, last = _span_shown(tuning)
-    axes.set_xlim(max(first, scan.w0_mm[0]), min(last, scan.w0_mm[-1]))
+    x_range = max(first, float(scan.w0_mm[0])), min(last, float(scan.w0_mm[-1]))
     seen = scan.min_in_motion_um[(scan.w0_mm >= first) & (scan.w0_mm <= last)]
     greatest, least = float(np.nanmax(seen)), float(np.nanmin(seen))
     height = max(abs(greatest), 1.0)
@@ -77,8 +88,7 @@ def _frame_close(axes: Axes, tuning: Tuning) -> None:
     deepest = -2.0 * height
     if tuning.own is not None and first <= tuning.design.wave_generator.w0 <= last:
         deepest = min(deepest, 1.1 * tuning.own.min_in_motion_um)
-    axes.set_ylim(max(least, deepest) - 0.05 * height, max(greatest, 0.0) + 0.35 * height)
-    set_title(axes, tuning.design.title, longest=64)
+    return x_range, (max(least, deepest) - 0.05 * height, max(greatest, 0.0) + 0.35 * height)
 
 
 def _span_shown(tuning: Tuning) -> tuple[float, float]:
@@ -106,10 +116,14 @@ def _mark_own(axes: Axes, tuning: Tuning) -> None:
 def _mark_choice(axes: Axes, choice: Choice) -> None:
     """The best w0 of a goal, with what it has."""
     marker, colour = MARKERS[choice.goal]
+    place = (choice.w0_mm, choice.analysis.min_in_motion_um)
+    axes.plot(*place, marker, ms=7, mfc=colour, mec="white", mew=0.8, zorder=5, label=choice_words(choice))
+
+
+def choice_words(choice: Choice) -> str:
+    """The goal, its best w0, and what that has."""
     analysis = choice.analysis
-    label = (
+    return (
         f"{choice.goal}: w0 {choice.w0_mm:.4f} mm, least {analysis.min_in_motion_um:.2f} µm, "
         f"{analysis.teeth_below.per_side} teeth per side"
     )
-    place = (choice.w0_mm, analysis.min_in_motion_um)
-    axes.plot(*place, marker, ms=7, mfc=colour, mec="white", mew=0.8, zorder=5, label=label)

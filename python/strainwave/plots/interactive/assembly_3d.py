@@ -17,7 +17,7 @@ from strainwave.plots.interactive.house import graph_objects, house_figure
 if TYPE_CHECKING:
     from plotly.graph_objects import Figure
 
-    from strainwave.analysis import Analysis
+    from strainwave.analysis import Analysis, FaceMap
 
 CAMERA = {"eye": {"x": 1.0, "y": 0.65, "z": 1.45}, "up": {"x": 0.0, "y": 1.0, "z": 0.0}}
 # Above the reader's left shoulder.
@@ -35,9 +35,14 @@ LIGHT = {
 WORDS = "tooth %{customdata[0]:.0f}<br>%{customdata[1]:.1f} µm at z %{customdata[2]:.1f} mm<extra></extra>"
 
 
-def assembly_3d_figure(analysis: Analysis, *, chord_error_mm: float | None = None) -> Figure:
-    """The gear with the cup bent and coned, its teeth coloured by their clearance; bodies can be hidden one by one."""
-    view = gear_view(analysis, chord_error_mm=chord_error_mm)
+def assembly_3d_figure(
+    analysis: Analysis, *, chord_error_mm: float | None = None, face: FaceMap | None = None
+) -> Figure:
+    """The gear with the cup bent and coned, its teeth coloured by their clearance; bodies can be hidden one by one.
+
+    `face` is the map of the same analysis where it is known already.
+    """
+    view = gear_view(analysis, chord_error_mm=chord_error_mm, face=face)
     figure = house_figure(analysis.design.title, verdict=face_verdict(view.face))
     for body in view.bodies:
         figure.add_trace(_surface(view, body))
