@@ -18,6 +18,7 @@ from strainwave.cli.new import new
 from strainwave.cli.optimize import optimize
 from strainwave.cli.plot import plot
 from strainwave.cli.report import report
+from strainwave.cli.studio import studio
 from strainwave.cli.sweep import sweep
 from strainwave.cli.tolerance import tolerance
 from strainwave.cli.tune import tune
@@ -81,3 +82,4 @@ app.command(epilog=_example("strainwave tolerance my-gear.toml tolerances.toml -
 app.command(epilog=_example("strainwave plot assembly my-gear.toml --teeth 30:40 --out teeth.png"))(plot)
 app.command(epilog=_example("strainwave animate my-gear.toml --fixed flexspline --out turning.html"))(animate)
 app.command(epilog=_example("strainwave report my-gear.toml --out report.html"))(report)
+app.command(epilog=_example("strainwave studio my-gear.toml"))(studio)

@@ -1,0 +1,120 @@
+"""The tab of the tolerances: what scatters, and what yield that leaves."""
+
+from __future__ import annotations
+
+from nicegui import ui
+
+from strainwave.quantities import WholeNumber
+from strainwave.studies.tolerance import Tolerances
+from strainwave.studies.tolerance.analyze_tolerance import GREATEST_BASE, GREATEST_SAMPLES, LEAST_SAMPLES
+from strainwave.studio.picture import Picture
+from strainwave.studio.session import Session
+from strainwave.studio.tabs.field import NumberField
+from strainwave.studio.tabs.quantities import SEED
+from strainwave.studio.tabs.runner import Runner, sentence
+from strainwave.studio.tabs.strip import Refresh
+from strainwave.studio.tabs.tolerance_file import ToleranceFile
+from strainwave.studio.tabs.tolerance_result import cause_table, percentile_table
+from strainwave.studio.tabs.tolerance_table import ToleranceTable
+from strainwave.studio.tasks.tolerance import ToleranceFound, ToleranceRequest, find_tolerance
+
+SAMPLES = WholeNumber("", LEAST_SAMPLES, GREATEST_SAMPLES)
+BASE = WholeNumber("", LEAST_SAMPLES, GREATEST_BASE)
+FIRST_SAMPLES, FIRST_BASE = 4096, 256
+
+
+def tolerance_tab(session: Session) -> Refresh:
+    """Put the tab into the present slot."""
+    return _Tolerance(session).refresh
+
+
+class _Tolerance:
+    """Asks for tolerances, and shows yield, scatter and causes."""
+
+    def __init__(self, session: Session) -> None:
+        self._session = session
+        self._asked: ToleranceRequest | None = None
+        with ui.element("div").classes("study tolerance"):
+            self._table = ToleranceTable(session.design, self._check)
+            with ui.element("div").classes("study-question"):
+                ui.button("Add a tolerance", icon="add", on_click=self._table.add).props("dense flat no-caps")
+                ToleranceFile(self._open, self._refuse, self._table.read)
+            with ui.element("div").classes("study-question"):
+                hint = "For the yield; rounded up to a power of two"
+                self._samples = NumberField("Samples", SAMPLES, FIRST_SAMPLES, hint=hint)
+                hint = "For the Sobol' indices: so many times two more than there are tolerances"
+                self._base = NumberField("Sobol' samples", BASE, FIRST_BASE, hint=hint)
+                self._seed = NumberField("Seed", SEED, 1, hint="The same seed gives the same result")
+                self._button = ui.button("Run", on_click=self._run, color=None).props("dense unelevated no-caps")
+                self._button.classes("study-go")
+            self._runner = Runner(session, "tolerance study", keeps="End, keep samples")
+            self._empty = ui.label(
+                "Gives the share of gears that run without interference when each number scatters as above."
+            ).classes("study-empty")
+            self._result = ui.element("div").classes("study-result")
+            with self._result:
+                self._stale = ui.label("Of another design than the present one; run again.").classes("study-note")
+                self._yield = ui.label().classes("study-verdict").props('role="status"')
+                self._notes = ui.label().classes("study-note")
+                self._picture = Picture("Distribution of the least backlash in motion, and its causes")
+                self._picture.classes("study-picture")
+                self._tables = ui.element("div").classes("study-scroll")
+        self._result.set_visibility(False)
+
+    def refresh(self) -> None:
+        """Offer the numbers of the design as it is now, and say whether the result is its own."""
+        self._table.follow(self._session.design)
+        self._check()
+        self._show_state()
+
+    def _check(self) -> None:
+        self._table.read()
+
+    def _open(self, tolerances: Tolerances) -> None:
+        self._table.load(tolerances)
+        self._runner.say("")
+        self._check()
+
+    def _refuse(self, message: str) -> None:
+        self._runner.say(message, bad=True)
+
+    async def _run(self) -> None:
+        tolerances, samples = self._table.read(), self._samples.value
+        base, seed = self._base.value, self._seed.value
+        if tolerances is None or samples is None or base is None or seed is None:
+            self._runner.say("A tolerance or a number above cannot be; its field says why.", bad=True)
+            return
+        request = ToleranceRequest(
+            self._session.design.to_dict(),
+            tolerances.model_dump(exclude_none=True),
+            int(samples),
+            int(base),
+            int(seed),
+        )
+        self._button.disable()
+        found = await self._runner.run(find_tolerance, request)
+        if self._result.is_deleted:
+            return
+        self._button.enable()
+        if found is not None:
+            self._asked = request
+            self._show(found)
+        self._show_state()
+
+    def _show(self, found: ToleranceFound) -> None:
+        self._empty.set_visibility(False)
+        self._result.set_visibility(True)
+        self._yield.set_text(f"Yield {found.yield_words}")
+        self._notes.set_text("\n".join(map(sentence, found.notes)))
+        self._notes.set_visibility(bool(found.notes))
+        self._picture.style(f"flex: none; height: {found.height_px}px")
+        self._picture.show(found.figure)
+        self._tables.clear()
+        with self._tables:
+            percentile_table(found.record)
+            cause_table(found.record)
+
+    def _show_state(self) -> None:
+        is_stale = self._asked is not None and self._asked.design != self._session.design.to_dict()
+        self._stale.set_visibility(is_stale)
+        self._result.classes("is-stale") if is_stale else self._result.classes(remove="is-stale")
