@@ -32,12 +32,12 @@ demo: $(VENV)/kernel.stamp ## Set everything up and compute the case study (plot
 
 test: check-rust check-python $(if $(DOCS_CONFIG),docs) ## Formatters, linters, typing, Rust and Python tests
 
-soak: $(VENV)/dev.stamp $(VENV)/kernel.stamp ## An hour of fuzzing, a million poses against brute force, 100 kills of explorations, long random tests
+soak: $(VENV)/dev.stamp $(VENV)/kernel.stamp ## An hour of fuzzing, a million poses against brute force, 100 kills of explorations, half an hour in the studio, long random tests
 	cargo test --release --package strainwave-kernel --test soak -- --ignored --nocapture
 	scripts/fuzz $(SOAK_SECONDS)
-	$(BIN)/pytest tests/property tests/studies/test_wizard.py tests/studies/exploration/test_kills.py tests/export/test_step.py --soak
+	$(BIN)/pytest tests/property tests/studies/test_wizard.py tests/studies/exploration/test_kills.py tests/export/test_step.py tests/studio/test_random_actions.py --soak
 
-bench: $(VENV)/dev.stamp $(VENV)/kernel.stamp ## Write every number that the README quotes
+bench: $(VENV)/dev.stamp $(VENV)/kernel.stamp chromium ## Write every number that the README quotes
 	@for script in benchmarks/*.py; do echo "$$script"; $(BIN)/python "$$script" || exit 1; done
 
 docs: $(VENV)/dev.stamp $(VENV)/kernel.stamp ## Build the documentation site into site/
@@ -66,7 +66,7 @@ check-python: $(VENV)/dev.stamp $(VENV)/kernel.stamp chromium
 	$(BIN)/ruff check
 	$(BIN)/mypy --strict python tests
 	$(BIN)/python -m mypy.stubtest strainwave._kernel --concise
-	$(BIN)/pytest
+	$(BIN)/pytest --numprocesses auto --dist loadfile
 
 toolchain:
 	@cargo fmt --version >/dev/null 2>&1 && cargo clippy --version >/dev/null 2>&1 \
