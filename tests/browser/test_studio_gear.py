@@ -318,7 +318,6 @@ def test_arrows_go_from_tooth_to_tooth(studio: StudioPage) -> None:
 def test_dragging_turns_the_generator_and_the_bars(studio: StudioPage) -> None:
     bars = studio.pixels(CHART)
     mesh = studio.pixels(f"{MESH} canvas")
-    studio.run("window.heard = []; addEventListener('strainwave:angle', (e) => heard.push(e.detail.generator_deg))")
     radius = 50.0
     studio.page.mouse.move(*mesh_place(studio, math.radians(10.0), radius))
     studio.page.mouse.down()
@@ -326,7 +325,6 @@ def test_dragging_turns_the_generator_and_the_bars(studio: StudioPage) -> None:
         studio.page.mouse.move(*mesh_place(studio, math.radians(degrees), radius), steps=4)
     studio.page.mouse.up()
     assert angle_of(studio) == pytest.approx(135.0, abs=1.0)
-    assert studio.run("heard.at(-1)") == pytest.approx(angle_of(studio), abs=0.01)
     assert (studio.pixels(CHART) != bars).any(axis=-1).mean() > 5e-3
     assert (studio.pixels(f"{MESH} canvas") != mesh).any(axis=-1).mean() > 5e-3
 

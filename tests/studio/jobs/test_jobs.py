@@ -15,6 +15,8 @@ import pytest
 
 from strainwave.errors import StrainwaveError
 from strainwave.studio.jobs import CancelledError, Jobs, Limits
+from strainwave.studio.jobs.job import running_jobs
+from strainwave.studio.jobs.jobs import MOST_AT_ONCE
 from strainwave.studio.jobs.limits import GIB
 from strainwave.studio.jobs.worker import Report, Task
 from tests.studio.jobs import tasks
@@ -151,6 +153,25 @@ def test_one_job_at_a_time() -> None:
 
     with pytest.raises(CancelledError):
         with_pid(another)
+
+
+def test_all_windows_together_run_so_many() -> None:
+    async def main() -> None:
+        assert await until(lambda: running_jobs() == 0)
+        windows = [Jobs() for _ in range(MOST_AT_ONCE)]
+        running = [asyncio.ensure_future(jobs.run("waiting", tasks.last_forever, 1, silent)) for jobs in windows]
+        await asyncio.sleep(0)
+        with pytest.raises(StrainwaveError, match="4 studies of other windows are running"):
+            await Jobs().run("counting", tasks.count, 0, silent)
+        windows[0].cancel()
+        assert await until(lambda: running_jobs() < MOST_AT_ONCE)
+        assert await Jobs().run("counting", tasks.count, 0, silent) == []
+        for jobs in windows:
+            jobs.close()
+        assert all(isinstance(each, CancelledError) for each in await asyncio.gather(*running, return_exceptions=True))
+        assert await until(lambda: running_jobs() == 0)
+
+    asyncio.run(main())
 
 
 def test_begin_and_end_are_told() -> None:

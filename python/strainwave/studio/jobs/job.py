@@ -33,11 +33,19 @@ class _Attendant(threading.Thread):
     """The thread of a job."""
 
 
+def _attendants() -> list[_Attendant]:
+    return [thread for thread in threading.enumerate() if isinstance(thread, _Attendant)]
+
+
+def running_jobs() -> int:
+    """How many there are in all windows, those included that are just ending."""
+    return len(_attendants())
+
+
 def wait_for_ended_jobs(seconds: float) -> None:
     """Let jobs that were called off leave nothing behind: for the end of a server, which multiprocessing tidies too."""
-    for thread in threading.enumerate():
-        if isinstance(thread, _Attendant):
-            thread.join(seconds)
+    for thread in _attendants():
+        thread.join(seconds)
 
 
 class Job:

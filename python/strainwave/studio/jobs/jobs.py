@@ -5,10 +5,13 @@ from __future__ import annotations
 from typing import Any
 
 from strainwave.errors import StrainwaveError
-from strainwave.studio.jobs.job import Job
+from strainwave.studio.jobs.job import Job, running_jobs
 from strainwave.studio.jobs.limits import Limits
 from strainwave.studio.jobs.worker import Report, Task
 from strainwave.studio.signal import Signal
+
+# In all windows together: their memory adds up.
+MOST_AT_ONCE = 4
 
 
 class Jobs:
@@ -30,13 +33,15 @@ class Jobs:
     async def run(self, what: str, task: Task, request: Any, report: Report) -> Any:
         """The result of a task, which another process computes; `report` hears how far it is.
 
-        `what` names it in messages, such as "tuning". StrainwaveError where another job is running, or this one fails;
-        CancelledError where it was called off.
+        `what` names it in messages, such as "tuning". StrainwaveError where another job is running, other windows have
+        too many, or this one fails; CancelledError where it was called off.
         """
         if self._closed:
             raise StrainwaveError("the page of this study is closed")
         if self._job is not None:
             raise StrainwaveError(f"the {self.running} is still running; wait for its end, or cancel it")
+        if running_jobs() >= MOST_AT_ONCE:
+            raise StrainwaveError(f"{MOST_AT_ONCE} studies of other windows are running; wait until one of them ends")
         job = self._job = Job(what, task, request, self.limits, report)
         self.changed.emit()
         try:

@@ -10,7 +10,6 @@ export const pointing = {
     hovered() {
       this.known = null;
       if (this.hovered === null) this.card = null;
-      window.dispatchEvent(new CustomEvent("strainwave:hover", { detail: { tooth: this.hovered } }));
       this.paint();
     },
   },

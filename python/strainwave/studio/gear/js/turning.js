@@ -44,7 +44,6 @@ export const turning = {
     },
     turned() {
       this.sayTurned();
-      window.dispatchEvent(new CustomEvent("strainwave:angle", { detail: { generator_deg: this.angle } }));
       this.paint();
     },
     sayTurned() {
