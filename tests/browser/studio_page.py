@@ -32,6 +32,22 @@ class StudioPage(LocalPage):
             act()
         return download.value.suggested_filename, Path(download.value.path()).read_bytes()
 
+    def choose(self, label: str, option: str) -> None:
+        """Take an entry of a list. One that is opened while the page is being built closes again, as for any user."""
+        from playwright.sync_api import TimeoutError as NotThere
+
+        entry = self.page.get_by_role("option", name=option, exact=True)
+        for last in (False, False, True):
+            self.page.get_by_label(label, exact=True).click()
+            try:
+                entry.wait_for(timeout=10_000)
+                break
+            except NotThere:
+                if last:
+                    raise
+        entry.click()
+        self.page.get_by_role("listbox").wait_for(state="hidden")
+
     def drawn(self) -> int:
         """The running number of the analysis that the distribution shows; 0 before the first."""
         return int(self.run("document.documentElement.dataset.drawn ?? 0"))

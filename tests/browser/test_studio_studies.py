@@ -70,9 +70,7 @@ def fill(studio: StudioPage, **values: str) -> None:
 
 def choose(studio: StudioPage, figure: str, direction: str) -> None:
     """Make a figure an objective, or none."""
-    studio.page.get_by_label(f"Objective: {figure}", exact=True).click()
-    studio.page.get_by_role("option", name=direction, exact=True).click()
-    studio.page.get_by_role("listbox").wait_for(state="hidden")
+    studio.choose(f"Objective: {figure}", direction)
 
 
 def drawn(studio: StudioPage, script: str) -> Any:

@@ -58,7 +58,7 @@ export default {
   methods: {
     part(name) { return `form-${this.field}-${name}`.replace(/[^\w-]/g, "_"); },
     bringOut() { window.dispatchEvent(new CustomEvent("strainwave:dimension", { detail: { key: this.field } })); },
-    forget() { clearTimeout(this.resting); clearTimeout(this.sending); this.sending = this.waiting = undefined; },
+    forget() { clearTimeout(this.resting); clearTimeout(this.sending); this.sending = this.waiting = undefined; this.settles = false; },
 
     onTyped() {
       clearTimeout(this.resting);
@@ -79,15 +79,20 @@ export default {
     // At once where there has been none for a while; else the last one when its time comes.
     send(change) {
       this.waiting = change;
-      if (this.sending) return;
-      const flush = () => {
-        this.sending = undefined;
-        if (this.waiting === undefined) return;
-        this.$emit("edit", this.waiting);
-        this.waiting = undefined;
-        this.sending = setTimeout(flush, SEND_EVERY_MS);
-      };
-      flush();
+      if (!this.sending) this.flush();
+    },
+    flush() {
+      this.sending = undefined;
+      if (this.waiting === undefined) return;
+      this.$emit("edit", this.waiting);
+      this.waiting = undefined;
+      this.sending = setTimeout(this.flush, SEND_EVERY_MS);
+      if (this.settles) this.settle();
+    },
+    // The slider is let go: after its last change, so that its window is around that one.
+    settle() {
+      this.settles = this.waiting !== undefined;
+      if (!this.settles) this.$emit("settle");
     },
 
     // To the step's digits, or those that the number had already, so that no rounding noise shows.
@@ -102,12 +107,12 @@ export default {
     onSlid(event) {
       this.take(this.tidy(Number(event.target.value), this.digits));
     },
-    onReleased() { this.$emit("settle"); },
+    onReleased() { this.settle(); },
     moveBy(steps) {
       if (this.number === null) return;
       const own = (/\.(\d+)/.exec(String(this.number))?.[1] ?? "").length;
       this.take(this.tidy(this.number + steps * this.step, Math.max(this.digits, own)));
-      this.$emit("settle");
+      this.settle();
     },
 
     // How many steps a key moves; 0 where it is no such key.
