@@ -12,8 +12,8 @@ from tests.studio.socket_client import SocketClient
 
 W0 = "wave_generator.w0"
 PAUSE_S = 0.25
-# The window in which the case study runs, and a little beyond; in deep interference an analysis takes up to 0.1 s.
-RANGE_MM = 0.84, 0.90
+# Half of it is deep interference, where an analysis takes up to 0.1 s.
+RANGE_MM = 0.80, 0.88
 
 
 async def changes_ms(client: SocketClient, seconds: float, chance: random.Random) -> list[float]:
