@@ -5,16 +5,13 @@ Times differ from run to run and from machine to machine, so no test looks at th
 
 from __future__ import annotations
 
-import re
-from pathlib import Path
-
 from measurement import machine
+from measurement.blocks import ROOT, fill
 from measurement.interleaved import Work, seconds_a_design
 
 from strainwave import Design, conjugate, load
 from strainwave.conjugation.generation import Generation
 
-ROOT = Path(__file__).parent.parent
 DESIGN = "designs/case-study/cosine.toml"
 PAGE = "docs/commands/conjugate.md"
 ROUNDS = 30
@@ -43,12 +40,7 @@ def block(design: Design) -> str:
 
 def main() -> None:
     """Measure, and write the page."""
-    page = ROOT / PAGE
-    marked = re.compile(r"(<!-- conjugate-speed:begin -->\n).*?(<!-- conjugate-speed:end -->)", re.DOTALL)
-    table = block(load(ROOT / DESIGN))
-    text = marked.sub(lambda kept: f"{kept[1]}\n{table}\n{kept[2]}", page.read_text(encoding="utf-8"))
-    page.write_text(text, encoding="utf-8")
-    print(f"  {PAGE}")
+    fill(PAGE, {"conjugate-speed": block(load(ROOT / DESIGN))})
 
 
 if __name__ == "__main__":

@@ -34,6 +34,7 @@ sys.path.insert(0, str(ROOT))  # run as a script, it stands beside its own kind
 
 from benchmarks import involute_claims  # noqa: E402
 from benchmarks.export_figures import export_figures  # noqa: E402
+from benchmarks.measurement.blocks import filled  # noqa: E402
 from benchmarks.theory_figures import theory_figures  # noqa: E402
 
 PICTURES = ROOT / "docs" / "pictures"
@@ -53,10 +54,7 @@ def refreshed(text: str, study: CaseStudy, drawn: Path, *, samples: bool = True)
     What stands below ``<!-- sample -->`` may be another on another machine, such as the end of a search that the last
     bit of a number can turn. Without ``samples`` it is run, but text and pictures stay as they are.
     """
-    for name, table in TABLES.items():
-        block = re.compile(rf"(<!-- {name}:begin -->\n).*?(<!-- {name}:end -->)", re.DOTALL)
-        if block.search(text):
-            text = block.sub(rf"\1\n{table(study)}\n\2", text)
+    text = filled(text, {name: table(study) for name, table in TABLES.items() if f"<!-- {name}:begin -->" in text})
     with example_folder() as folder:
         kept: set[str] = set()
 

@@ -8,16 +8,12 @@ run to run and from machine to machine, so no test looks at them. Takes about fo
 
 from __future__ import annotations
 
-import re
 import sys
-from pathlib import Path
 
 from measurement import machine
+from measurement.blocks import fill
 from measurement.exploration import Run, Scale, measured, sides, task_seconds
 from measurement.exploration_model import TABLES
-
-ROOT = Path(__file__).parent.parent
-PAGE = ROOT / "docs" / "cluster.md"
 
 FULL = Scale(designs=1_000_000, few=10_000, rounds=1, tasks=5_000)
 QUICK = Scale(designs=200_000, few=10_000, rounds=1, tasks=1_000)
@@ -33,13 +29,7 @@ def blocks(scale: Scale) -> dict[str, str]:
 
 def main() -> None:
     """Measure, and write the page."""
-    found = blocks(QUICK if "--quick" in sys.argv[1:] else FULL)
-    text = PAGE.read_text(encoding="utf-8")
-    for name, content in found.items():
-        marked = re.compile(rf"(<!-- {name}:begin -->\n).*?(<!-- {name}:end -->)", re.DOTALL)
-        text = marked.sub(lambda kept, content=content: f"{kept[1]}\n{content}\n{kept[2]}", text)
-    PAGE.write_text(text, encoding="utf-8")
-    print(f"  {PAGE.relative_to(ROOT)}")
+    fill("docs/cluster.md", blocks(QUICK if "--quick" in sys.argv[1:] else FULL))
 
 
 if __name__ == "__main__":

@@ -7,22 +7,21 @@ looks at them.
 
 from __future__ import annotations
 
-import re
 import sys
-from pathlib import Path
 
-ROOT = Path(__file__).parent.parent
+from measurement.blocks import ROOT, fill
+
 sys.path.insert(0, str(ROOT))  # for the oracle of the tests
 
-from measurement import costs, machine, tables  # noqa: E402
-from measurement.accuracy import error_against_time  # noqa: E402
-from measurement.engine import batch, loop  # noqa: E402
-from measurement.interleaved import Work, seconds_a_design  # noqa: E402
-from measurement.picture import accuracy_figure  # noqa: E402
-from measurement.sampled import WAYS, SampledTeeth  # noqa: E402
+from measurement import costs, machine, tables
+from measurement.accuracy import error_against_time
+from measurement.engine import batch, loop
+from measurement.interleaved import Work, seconds_a_design
+from measurement.picture import accuracy_figure
+from measurement.sampled import WAYS, SampledTeeth
 
-from strainwave import Design, load  # noqa: E402
-from strainwave.plots import picture_bytes  # noqa: E402
+from strainwave import Design, load
+from strainwave.plots import picture_bytes
 
 DESIGN = "designs/case-study/cosine-calibrated.toml"
 ROUNDS = 5
@@ -73,14 +72,8 @@ def blocks(design: Design) -> dict[str, str]:
 def main() -> None:
     """Measure, and write the documents."""
     found = blocks(load(ROOT / DESIGN))
-    for name in ("README.md", "docs/speed.md"):
-        document = ROOT / name
-        text = document.read_text(encoding="utf-8")
-        for block, content in found.items():
-            marked = re.compile(rf"(<!-- {block}:begin -->\n).*?(<!-- {block}:end -->)", re.DOTALL)
-            text = marked.sub(lambda kept, content=content: f"{kept[1]}\n{content}\n{kept[2]}", text)
-        document.write_text(text, encoding="utf-8")
-        print(f"  {name}")
+    for document in ("README.md", "docs/speed.md"):
+        fill(document, found)
 
 
 if __name__ == "__main__":

@@ -9,7 +9,6 @@ minutes; nothing else should run meanwhile, for browser, studio and the other wi
 from __future__ import annotations
 
 import json
-import re
 import subprocess
 import sys
 import tempfile
@@ -19,17 +18,16 @@ from pathlib import Path
 
 import numpy as np
 from measurement import machine
+from measurement.blocks import ROOT, fill
 
-ROOT = Path(__file__).parent.parent
 sys.path.insert(0, str(ROOT))  # the studio is driven as the tests drive it
 
-from measurement import studio_window as window  # noqa: E402
+from measurement import studio_window as window
 
-from tests.browser.chromium import found_command, launched  # noqa: E402
-from tests.browser.studio_page import StudioPage  # noqa: E402
-from tests.browser.studio_server import StudioServer  # noqa: E402
+from tests.browser.chromium import found_command, launched
+from tests.browser.studio_page import StudioPage
+from tests.browser.studio_server import StudioServer
 
-PAGE = ROOT / "docs" / "commands" / "studio.md"
 DESIGN = ROOT / "designs" / "case-study" / "cosine-calibrated.toml"
 CHANGES = 200
 PLAYED_S = 6.0
@@ -91,13 +89,8 @@ def main() -> None:
         print("  no Chromium here: the studio is not measured")
         return
     found = tables()
-    text = PAGE.read_text(encoding="utf-8")
-    for name, content in found.items():
-        print(content)
-        marked = re.compile(rf"(<!-- {name}:begin -->\n).*?(<!-- {name}:end -->)", re.DOTALL)
-        text = marked.sub(lambda kept, content=content: f"{kept[1]}\n{content}\n{kept[2]}", text)
-    PAGE.write_text(text, encoding="utf-8")
-    print(f"  {PAGE.relative_to(ROOT)}")
+    print(*found.values(), sep="\n")
+    fill("docs/commands/studio.md", found)
 
 
 if __name__ == "__main__":
