@@ -134,6 +134,11 @@ impl ArcLength {
         &self.panels
     }
 
+    /// Arc length to each end of a panel.
+    pub fn lengths(&self) -> &[f64] {
+        &self.lengths
+    }
+
     /// Arc length of the quadrant.
     pub fn quadrant(&self) -> f64 {
         self.lengths[self.lengths.len() - 1]

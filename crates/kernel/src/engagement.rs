@@ -8,7 +8,7 @@ use crate::body::{Body, RingTooth};
 use crate::clearance::{Clearance, clearance, overlap_gap};
 use crate::error::GeometryError;
 use crate::gap_curve::{BOTH_FLANKS, GapCurve};
-use crate::kinematics::{MotionBounds, ToothMotion};
+use crate::kinematics::{LocalBounds, ToothMotion};
 use crate::neutral_curve::NeutralCurve;
 use crate::outline::Outline;
 use crate::point::Point;
@@ -43,7 +43,7 @@ pub struct Engagement {
     space: Arc<Body>,
     curve: Arc<NeutralCurve>,
     motion: ToothMotion,
-    bounds: OnceLock<MotionBounds>,
+    bounds: OnceLock<LocalBounds>,
 }
 
 impl Engagement {
@@ -92,7 +92,7 @@ impl Engagement {
     }
 
     /// How fast the gap may change with the index.
-    pub fn bounds(&self) -> &MotionBounds {
+    pub fn bounds(&self) -> &LocalBounds {
         self.bounds.get_or_init(|| self.motion.bounds(&self.curve))
     }
 

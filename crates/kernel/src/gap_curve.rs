@@ -120,7 +120,8 @@ impl<'a> GapCurve<'a> {
 
     fn proves_smooth(&mut self, sample: &Sample, half_width: f64) -> bool {
         let (engagement, pose) = (self.engagement, &sample.pose);
-        let (bounds, motion) = (engagement.bounds(), engagement.motion());
+        let bounds = engagement.bounds().between(sample.index - half_width, sample.index + half_width);
+        let motion = engagement.motion();
         let moved = bounds.slope * half_width;
         // Bodies that are apart are never nearest in a reflex corner.
         let reach = sample.gap + 2.0 * moved;
@@ -130,10 +131,6 @@ impl<'a> GapCurve<'a> {
         }
         if sample.gap > moved {
             return true;
-        }
-        // The bound M holds to this depth.
-        if moved - sample.gap > 0.1 * motion.least_convex_radius {
-            return false;
         }
         let around = Neighbourhood { moved, turned: bounds.turning * half_width, depth: moved - sample.gap };
         let between_reflex_and_any = || corners::between_reflex_and_any(engagement, pose);

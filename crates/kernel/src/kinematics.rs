@@ -4,8 +4,15 @@ use crate::neutral_curve::NeutralCurve;
 use crate::point::Point;
 use crate::quadrant::CurvePoint;
 
-/// Bounds are sampled along the curve; between samples smooth quantities change by far less than this share.
-const INFLATION: f64 = 1.02;
+/// Bounds are sampled along the curve; between samples smooth quantities change by far less than this share of their
+/// greatest value.
+const BETWEEN_STATIONS: f64 = 0.02;
+
+/// How many parts of a quadrant have bounds of their own.
+const PARTS: usize = 32;
+
+/// Deeper than this share of the least convex radius nothing is known of the gap's second derivative.
+const DEEPEST: f64 = 0.25;
 
 /// The tooth of index k in a frame that turns with space k, for all k.
 #[derive(Clone, Copy, Debug)]
@@ -24,55 +31,125 @@ pub struct ToothMotion {
     pub least_convex_radius: f64,
 }
 
-/// How the gap of one tooth may change with its index.
-#[derive(Clone, Copy, Debug)]
+/// How the gap of one tooth may change over a stretch of indices.
+#[derive(Clone, Copy, Debug, Default)]
 pub struct MotionBounds {
     /// No outline point moves faster than this (mm per index), so neither does the gap.
     pub slope: f64,
     /// The tooth turns against its space by no more than this (rad per index).
     pub turning: f64,
-    /// The second derivative of the gap is at most this (mm per index²) while the witness is smooth: the foot of a
-    /// common normal, or a corner on a smooth piece.
-    pub curvature: f64,
+    /// No outline point accelerates faster than this (mm per index²).
+    acceleration: f64,
+    /// Smallest radius of a convex arc of either flank (mm), or infinity.
+    least_convex_radius: f64,
+}
+
+impl MotionBounds {
+    /// The second derivative of the gap is at most this (mm per index²) while the witness is smooth, the foot of a common
+    /// normal or a corner on a smooth piece, and not deeper than `depth` (mm): sliding over an arc of radius ρ at a depth
+    /// of d adds speed²/(ρ − d). Infinite beyond [`DEEPEST`].
+    pub fn curvature(&self, depth: f64) -> f64 {
+        let is_known = depth <= DEEPEST * self.least_convex_radius;
+        let radius = self.least_convex_radius - depth;
+        if is_known { self.acceleration + self.slope * self.slope / radius } else { f64::INFINITY }
+    }
+
+    fn most(self, other: Self) -> Self {
+        Self {
+            slope: self.slope.max(other.slope),
+            turning: self.turning.max(other.turning),
+            acceleration: self.acceleration.max(other.acceleration),
+            least_convex_radius: self.least_convex_radius,
+        }
+    }
+
+    fn plus(self, share: f64, other: Self) -> Self {
+        Self {
+            slope: self.slope + share * other.slope,
+            turning: self.turning + share * other.turning,
+            acceleration: self.acceleration + share * other.acceleration,
+            least_convex_radius: self.least_convex_radius,
+        }
+    }
+}
+
+/// The bounds over each part of a quadrant of the curve: near the major axis a tooth moves slowly.
+#[derive(Clone, Debug)]
+pub struct LocalBounds {
+    /// Parts of equal arc length, from the major axis to the minor one.
+    parts: [MotionBounds; PARTS],
+    /// The index at the minor axis.
+    quarter: f64,
+}
+
+impl LocalBounds {
+    /// Over all indices.
+    pub fn whole(&self) -> MotionBounds {
+        self.parts.into_iter().reduce(MotionBounds::most).unwrap_or_default()
+    }
+
+    /// Over the indices between two.
+    pub fn between(&self, from: f64, to: f64) -> MotionBounds {
+        let (low, high) = (from.abs().min(to.abs()), from.abs().max(to.abs()));
+        // The curve is even about both axes.
+        let low = if from * to < 0.0 { 0.0 } else { low.min(2.0 * self.quarter - high) };
+        let part = |k: f64| (k / self.quarter * PARTS as f64).clamp(0.0, PARTS as f64 - 1.0) as usize;
+        let parts = &self.parts[part(low)..=part(high)];
+        parts.iter().copied().fold(parts[0], MotionBounds::most)
+    }
 }
 
 impl ToothMotion {
-    /// Bounds over the whole curve.
+    /// Bounds over a quadrant of the curve.
     ///
     /// With o the tooth's origin, n and t normal and tangent of the neutral curve, κ its curvature, h the pitch, γ the
     /// space angle and J a clockwise quarter turn: o′ = h (1 + height κ) t, the frame turns with γ, the tooth with hκ, so
     /// the origin moves by o′ − γ J o and every other point by at most |hκ − γ| · reach more. Twice differentiated,
-    /// o″ − 2γ J o′ − γ² o. A point sliding over an arc of radius ρ adds speed²/ρ.
-    pub fn bounds(&self, curve: &NeutralCurve) -> MotionBounds {
-        let h = self.pitch;
-        let stations: Vec<_> = curve.stations().collect();
-        let frames: Vec<_> = stations.iter().map(|station| self.frame(station, curve.radius())).collect();
-        let mut slope: f64 = 0.0;
-        let mut fastest_turning: f64 = 0.0;
-        let mut acceleration: f64 = 0.0;
-        for frame in &frames {
-            slope = slope.max(frame.speed + frame.turning.abs() * self.reach);
-            fastest_turning = fastest_turning.max(frame.turning.abs());
-        }
-        for (stations, frames) in stations.windows(2).zip(frames.windows(2)) {
-            let step = (stations[1].position - stations[0].position).norm();
-            let turning_rate = h * h * (stations[1].curvature - stations[0].curvature) / step;
-            for Frame { tangent, turning, speed, bend_at_origin, bend_at_center } in frames {
-                let at_origin = *bend_at_origin + *tangent * (self.height * turning_rate);
-                let near = at_origin.norm()
-                    + (turning * turning + turning_rate.abs()) * self.reach
-                    + 2.0 * turning.abs() * speed;
-                // The tip land's centre is the gear's centre, far from the tooth.
-                let at_center = *bend_at_center - *tangent * (curve.radius() * turning_rate);
-                acceleration = acceleration.max(near).max(at_center.norm());
+    /// o″ − 2γ J o′ − γ² o.
+    pub fn bounds(&self, curve: &NeutralCurve) -> LocalBounds {
+        let none = MotionBounds { least_convex_radius: self.least_convex_radius, ..MotionBounds::default() };
+        let (mut whole, mut parts) = (none, [none; PARTS]);
+        let lengths = curve.lengths_to_stations();
+        let share = PARTS as f64 / lengths[lengths.len() - 1];
+        let part = |length: f64| ((length * share) as usize).min(PARTS - 1);
+        let mut stations = curve.stations();
+        let mut last = stations.next().map(|station| (station, self.frame(&station, curve.radius())));
+        for (station, ends) in stations.zip(lengths.windows(2)) {
+            let now = (station, self.frame(&station, curve.radius()));
+            if let Some(last) = last.replace(now) {
+                let found = self.between_stations(&last, &now, curve.radius());
+                whole = whole.most(found);
+                for bounds in &mut parts[part(ends[0])..=part(ends[1])] {
+                    *bounds = bounds.most(found);
+                }
             }
         }
-        let slope = slope * INFLATION;
-        MotionBounds {
-            slope,
-            turning: fastest_turning * INFLATION,
-            curvature: acceleration * INFLATION + slope * slope / (0.9 * self.least_convex_radius),
+        LocalBounds {
+            parts: parts.map(|bounds| bounds.plus(BETWEEN_STATIONS, whole)),
+            quarter: lengths[lengths.len() - 1] / self.pitch,
         }
+    }
+
+    /// Bounds between two points of the curve that follow each other, with their frames.
+    fn between_stations(&self, last: &(CurvePoint, Frame), now: &(CurvePoint, Frame), radius: f64) -> MotionBounds {
+        let h = self.pitch;
+        let step = (now.0.position - last.0.position).norm();
+        let turning_rate = h * h * (now.0.curvature - last.0.curvature) / step;
+        let mut found = MotionBounds { least_convex_radius: self.least_convex_radius, ..MotionBounds::default() };
+        for Frame { tangent, turning, speed, bend_at_origin, bend_at_center } in [&last.1, &now.1] {
+            let at_origin = *bend_at_origin + *tangent * (self.height * turning_rate);
+            let near =
+                at_origin.norm() + (turning * turning + turning_rate.abs()) * self.reach + 2.0 * turning.abs() * speed;
+            // The tip land's centre is the gear's centre, far from the tooth.
+            let at_center = *bend_at_center - *tangent * (radius * turning_rate);
+            found = found.most(MotionBounds {
+                slope: speed + turning.abs() * self.reach,
+                turning: turning.abs(),
+                acceleration: near.max(at_center.norm()),
+                ..found
+            });
+        }
+        found
     }
 
     /// What the bounds need of one point of the curve; `radius` is that of the undeformed curve.
@@ -94,6 +171,7 @@ impl ToothMotion {
 }
 
 /// The motion of a tooth at one point of the curve.
+#[derive(Clone, Copy)]
 struct Frame {
     tangent: Point,
     /// Of the tooth against its space (rad per index).

@@ -58,7 +58,7 @@ pub use clearance::{Clearance, Contact, ContactKind, clearance};
 pub use engagement::{Engagement, Flank, FlankPair};
 pub use error::GeometryError;
 pub use gear::Gear;
-pub use kinematics::{MotionBounds, ToothMotion};
+pub use kinematics::{LocalBounds, MotionBounds, ToothMotion};
 pub use line::Line;
 pub use motion::MotionMinimum;
 pub use nearest::{Nearest, Place};

@@ -2,9 +2,10 @@
 //!
 //! The gap curve is searched by branch and bound. Over an interval of width h between two evaluated indices,
 //!
-//! - no outline point moves faster than L per index, so gap ≥ (g₀ + g₁)/2 − L h/2;
+//! - no outline point moves faster than L per index there, so gap ≥ (g₀ + g₁)/2 − L h/2;
 //! - where every witness that can occur in the interval is smooth, gap″ ≤ M on each branch and branches meet in
-//!   downward kinks only, so gap lies above the parabola of second derivative M through the two ends.
+//!   downward kinks only, so gap lies above the parabola of second derivative M through the two ends. M depends on how
+//!   deep a witness can be, which the first bound tells.
 //!
 //! Witnesses at any index of the interval lie, seen from one of its ends, within L h/2 of where they were there. So two
 //! corners farther apart than gap + L h exclude corner on corner; and in an overlap, where the nearest piece of a body
@@ -125,9 +126,9 @@ impl GapCurve<'_> {
     fn interval(&mut self, samples: &mut [Sample], ends: [usize; 2], target: f64) -> Interval {
         let [start, end] = ends.map(|end| samples[end]);
         let width = end.index - start.index;
-        let bounds = self.engagement().bounds();
+        let bounds = self.engagement().bounds().between(start.index, end.index);
         let by_slope = 0.5 * (start.gap + end.gap - bounds.slope * width);
-        let by_curvature = above_parabola(start.gap, end.gap, bounds.curvature * width * width);
+        let by_curvature = above_parabola(start.gap, end.gap, bounds.curvature(-by_slope) * width * width);
         // The proof of smoothness costs; it is sought only where it settles the interval.
         let settles = by_slope < target && by_curvature >= target;
         let is_smooth = settles && ends.iter().all(|&end| self.smooth_around(&mut samples[end], 0.5 * width));

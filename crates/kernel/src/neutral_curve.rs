@@ -153,6 +153,11 @@ impl NeutralCurve {
         })
     }
 
+    /// Arc length from the major axis to each of them.
+    pub fn lengths_to_stations(&self) -> &[f64] {
+        self.arc_length.lengths()
+    }
+
     /// The point at arc length `s` from the major axis, clockwise; any real `s`.
     pub fn at_arc_length(&self, s: f64) -> CurvePoint {
         self.at_arc_lengths(Scalar, &[s; WIDEST]).one()

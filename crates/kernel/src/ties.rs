@@ -3,13 +3,15 @@
 //! Inside a body the depth has upward kinks over the tooth index only where a deepest point p of the other outline is
 //! equally near to two pieces. Shallow inside, that happens on the bisector of a corner C. A reflex corner does no harm:
 //! the nearest point moves steadily around it. With n₁, n₂ the normals that meet at a convex corner, b their bisector and
-//! n, t normal and tangent of the outline at p, two cases do none either:
+//! n, t normal and tangent of the outline at p, three cases do none either:
 //!
 //! - t·n₁ and t·n₂ have one sign: the depth rises or falls through the tie, so p is not deepest;
 //! - n points into the cone that −n₁ and −n₂ span (so the signs differ): at distance s from C the point p has the depth
-//!   s n₁·b, while C itself lies −s n·b deep in the other body, which is more. The corner is then the witness, not p.
+//!   s n₁·b, while C itself lies −s n·b deep in the other body, which is more. The corner is then the witness, not p;
+//! - C lies q deep behind the outline there, so s = q / (−n·b), and the depth s n₁·b of p is less than that of another
+//!   point.
 //!
-//! Both need room for how much normals vary and bodies turn nearby; where there is none, nothing is proved.
+//! All need room for how much normals vary and bodies move nearby; where there is none, nothing is proved.
 
 use std::ops::Range;
 
@@ -30,6 +32,13 @@ pub struct Neighbourhood {
     pub turned: f64,
     /// No point gets deeper than this (mm).
     pub depth: f64,
+}
+
+impl Neighbourhood {
+    /// The deepest point is nowhere less deep than this (mm).
+    fn least_depth(&self) -> f64 {
+        self.depth - 2.0 * self.moved
+    }
 }
 
 /// The pieces of an outline whose points count for the gap.
@@ -75,6 +84,15 @@ impl ConvexCorner {
     pub fn reach(&self, around: &Neighbourhood) -> f64 {
         (1.0 + STRAIGHT) * around.depth / self.sharpness + around.moved
     }
+
+    /// No tied point of depth d lies farther, along the bisector and across it (mm), from where it would with straight
+    /// sides, d / sharpness from the corner: a side deviates by half its curvature times the square of the way to
+    /// the foot of p.
+    fn deviation(&self, depth: f64) -> [f64; 2] {
+        let squared_way = depth * depth * (((1.0 + STRAIGHT) / self.sharpness).powi(2) - 1.0) / (1.0 - STRAIGHT);
+        let of_side = 0.5 * (1.0 + STRAIGHT) * self.curvature * squared_way;
+        [of_side / self.sharpness, of_side / (1.0 - self.sharpness * self.sharpness).sqrt()]
+    }
 }
 
 /// Whether no tied point of the outline on the bisector of a corner, whose body stands at `pose` in the outline's frame,
@@ -103,12 +121,28 @@ pub fn harmless(side: &Side, corner: &ConvexCorner, pose: &Pose, may_be_witness:
     let (along_1, along_2) = (tangent.dot(n1), tangent.dot(n2));
     let passes_through = along_1.min(along_2) > spread || along_1.max(along_2) < -spread;
     let corner_is_deeper = -near.normal.dot(bisector) - corner.sharpness > spread;
-    passes_through || (may_be_witness && corner_is_deeper)
+    passes_through
+        || (may_be_witness && corner_is_deeper)
+        || tied_depth(corner, point, bisector, &near, around) < around.least_depth()
+}
+
+/// No tied point on the bisector of a corner, which has come to `point`, gets deeper than this (mm).
+fn tied_depth(corner: &ConvexCorner, point: Point, bisector: Point, near: &NearRun, around: &Neighbourhood) -> f64 {
+    let [along, across] = corner.deviation(around.depth);
+    let (steep, aslant) = (-near.normal.dot(bisector), near.normal.cross(bisector).abs());
+    let off_bisector = along * steep.abs() + across * aslant + (along + across) * around.turned;
+    let from_foot = around.depth / corner.sharpness * (aslant + around.turned) + along + across + around.moved;
+    let off_tangent = 0.5 * (1.0 + STRAIGHT) * near.curvature * from_foot * from_foot;
+    let buried = (near.foot - point).dot(near.normal) + around.moved + off_bisector + off_tangent;
+    let steep = steep - around.turned;
+    let is_known = steep > 0.0 && near.curvature * from_foot <= STRAIGHT;
+    if is_known { corner.sharpness * buried / steep } else { f64::INFINITY }
 }
 
 /// The pieces of an outline within reach of a point.
 struct NearRun {
-    /// Normal at the foot of the point.
+    /// Foot of the point, and the normal there.
+    foot: Point,
     normal: Point,
     /// Greatest curvature of any of them.
     curvature: f64,
@@ -143,7 +177,132 @@ impl NearRun {
             || within(last, Place::End, segments[last].end());
         let curvature = near.iter().map(|&(index, _)| segments[index].curvature().abs()).fold(0.0, f64::max);
         let (nearest, _) = near.iter().copied().min_by(|a, b| a.1.total_cmp(&b.1))?;
-        let normal = segments[nearest].normal(segments[nearest].foot(p));
-        Some(Self { normal, curvature, has_corner })
+        let u = segments[nearest].foot(p);
+        Some(Self { foot: segments[nearest].point(u), normal: segments[nearest].normal(u), curvature, has_corner })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::segment::Segment;
+
+    /// A corner at the origin with its bisector along y, and one outline near it.
+    #[derive(Clone, Copy, Debug)]
+    struct Case {
+        half_angle: f64,
+        curvatures: [f64; 2],
+        /// Normal of the outline, angle from the bisector turned round, and its curvature.
+        aslant: f64,
+        curvature: f64,
+        buried: f64,
+    }
+
+    impl Case {
+        const LENGTH: f64 = 1.0;
+
+        fn corner(&self) -> ConvexCorner {
+            ConvexCorner {
+                point: Point::default(),
+                normals: [-self.half_angle, self.half_angle].map(Point::at_angle),
+                sharpness: self.half_angle.cos(),
+                side: Self::LENGTH,
+                curvature: self.curvatures[0].abs().max(self.curvatures[1].abs()),
+                piece: 1,
+            }
+        }
+
+        /// Both sides as pieces that run away from the corner, or towards it.
+        fn sides(&self) -> [Segment; 2] {
+            let [before, after] = self.curvatures;
+            [
+                Segment::new(Point::default(), -self.half_angle, before, 1.0).between(-Self::LENGTH, 0.0),
+                Segment::new(Point::default(), self.half_angle, after, Self::LENGTH),
+            ]
+        }
+
+        fn outline(&self) -> (Segment, NearRun) {
+            let angle = std::f64::consts::PI + self.aslant;
+            let normal = Point::at_angle(angle);
+            let foot = normal * self.buried;
+            let outline = Segment::new(foot, angle, self.curvature, 1.0).between(-0.2, 0.2);
+            (outline, NearRun { foot, normal, curvature: self.curvature.abs(), has_corner: false })
+        }
+
+        /// Depths of the tied points of the outline while the corner's body stands at `pose`, by bisection.
+        fn tied_depths(&self, pose: &Pose) -> Vec<f64> {
+            const STEPS: u32 = 200;
+            let (outline, back) = (self.outline().0, pose.inverse());
+            let depths = |u: f64| self.sides().map(|side| -side.nearest(back.point(outline.point(u))).distance);
+            let difference = |u: f64| depths(u)[0] - depths(u)[1];
+            let at = |i: u32| outline.length() * f64::from(i) / f64::from(STEPS);
+            let mut found = Vec::new();
+            for i in 0..STEPS {
+                let (mut low, mut high) = (at(i), at(i + 1));
+                if difference(low) * difference(high) > 0.0 {
+                    continue;
+                }
+                let rises = difference(high) > 0.0;
+                for _ in 0..50 {
+                    let middle = 0.5 * (low + high);
+                    if (difference(middle) > 0.0) == rises { high = middle } else { low = middle }
+                }
+                // At the ends of the sides distances jump: no tie.
+                let [one, other] = depths(low);
+                if one > 0.0 && (one - other).abs() < 1e-12 {
+                    found.push(one);
+                }
+            }
+            found
+        }
+
+        fn bound(&self, around: &Neighbourhood) -> f64 {
+            tied_depth(&self.corner(), Point::default(), Point::new(0.0, 1.0), &self.outline().1, around)
+        }
+    }
+
+    fn any_case() -> impl Strategy<Value = Case> {
+        (0.15..1.2, [-2.0..2.0, -2.0..2.0], -1.2..1.2, -2.0..2.0, -0.01..0.04).prop_map(
+            |(half_angle, curvatures, aslant, curvature, buried)| Case {
+                half_angle,
+                curvatures,
+                aslant,
+                curvature,
+                buried,
+            },
+        )
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(4000))]
+
+        #[test]
+        fn no_tied_point_is_deeper_than_its_bound(
+            case in any_case(), depth in 0.001..0.04, moved in 0.0..0.1, turned in 0.0..0.1, direction in 0.0..6.3,
+            moves in any::<bool>(), turns in any::<bool>(),
+        ) {
+            let only_if = |is: bool| f64::from(u8::from(is));
+            let around =
+                Neighbourhood { moved: only_if(moves) * moved * depth, turned: only_if(turns) * turned, depth };
+            prop_assume!(case.corner().reach(&around) * case.corner().curvature <= STRAIGHT);
+            let bound = case.bound(&around);
+            for turn in [-around.turned, around.turned] {
+                let pose = Pose::new(Point::at_angle(direction) * around.moved, turn);
+                for found in case.tied_depths(&pose) {
+                    prop_assert!(found > depth || found <= bound + 1e-9, "{found} {bound}");
+                }
+            }
+        }
+
+        #[test]
+        fn between_straight_lines_the_bound_is_the_depth(case in any_case()) {
+            let case = Case { curvatures: [0.0; 2], curvature: 0.0, ..case };
+            let bound = case.bound(&Neighbourhood { moved: 0.0, turned: 0.0, depth: 0.1 });
+            for found in case.tied_depths(&Pose::new(Point::default(), 0.0)) {
+                prop_assert!((found - bound).abs() < 1e-12, "{found} {bound}");
+            }
+        }
     }
 }

@@ -236,6 +236,45 @@ fn play_in_motion_is_the_least_over_the_curve() {
 }
 
 #[test]
+fn every_stretch_bounds_the_motion_of_its_own_teeth() {
+    const STEP: f64 = 1e-4;
+    let (engagement, mut greatest_of_all) = (case_study(), [0.0_f64; 3]);
+    let (bounds, quarter) = (engagement.bounds(), engagement.quarter());
+    let reach = engagement.motion().reach;
+    // Speed and acceleration of the origin and turning of the tooth, by differences; along the other flank, too.
+    let motion = |k: f64| {
+        let [before, here, after] = [k - STEP, k, k + STEP].map(|k| engagement.relative_pose(k));
+        let moved = (after.origin - before.origin) * (0.5 / STEP);
+        let bent = (after.origin - here.origin * 2.0 + before.origin) * (1.0 / (STEP * STEP));
+        [moved.norm(), bent.norm(), (after.angle() - before.angle()).abs() * (0.5 / STEP)]
+    };
+    for (from, to) in [(0.0, 1.0), (-0.5, 0.5), (-10.0, 10.0), (7.25, 7.5), (20.0, 22.0), (-35.0, -34.0), (50.0, 50.9)]
+    {
+        let stretch = bounds.between(from, to);
+        let mut greatest = [0.0_f64; 3];
+        for i in 0..=100 {
+            let found = motion(from + (to - from) * f64::from(i) / 100.0);
+            greatest = std::array::from_fn(|n| greatest[n].max(found[n]));
+        }
+        let [speed, acceleration, turning] = greatest;
+        assert!(turning <= stretch.turning, "{from} to {to}: {turning} > {}", stretch.turning);
+        assert!(speed + turning * reach <= stretch.slope + 1e-9, "{from} to {to}: {speed} > {}", stretch.slope);
+        assert!(acceleration <= stretch.curvature(0.0), "{from} to {to}: {acceleration}");
+        greatest_of_all = std::array::from_fn(|n| greatest_of_all[n].max(greatest[n]));
+    }
+    // Behind the minor axis all comes again.
+    assert_near(
+        bounds.between(quarter + 9.0, quarter + 10.0).slope,
+        bounds.between(quarter - 10.0, quarter - 9.0).slope,
+        0.0,
+    );
+    // At the major axis a tooth is slow, and the bounds say so.
+    let whole = bounds.whole();
+    assert!(bounds.between(0.0, 0.5).slope < 0.2 * whole.slope);
+    assert!(whole.slope < 1.1 * (greatest_of_all[0] + greatest_of_all[2] * reach));
+}
+
+#[test]
 fn a_difference_of_four_teeth_meets_every_space() {
     // Flexspline teeth pass into the next space between two lobes; the gap stays continuous and bounded by the slope.
     let mut ring = circular_spline();
@@ -249,6 +288,6 @@ fn a_difference_of_four_teeth_meets_every_space() {
     let step = 0.05;
     for i in 0..1020 {
         let k = step * f64::from(i);
-        assert!((gap(k + step) - gap(k)).abs() <= engagement.bounds().slope * step, "at {k}");
+        assert!((gap(k + step) - gap(k)).abs() <= engagement.bounds().between(k, k + step).slope * step, "at {k}");
     }
 }

@@ -100,7 +100,7 @@ impl Engagement {
     fn minimum_in_motion(&self, py: Python<'_>, tolerance: f64) -> PyResult<MotionMinimum> {
         check_tolerance(tolerance)?;
         let found = py.detach(|| self.0.minimum_in_motion(tolerance));
-        let bounds = self.0.bounds();
+        let bounds = self.0.bounds().whole();
         Ok(MotionMinimum {
             gap: found.gap,
             index: found.index,
@@ -108,7 +108,7 @@ impl Engagement {
             lower_bound: found.lower_bound,
             evaluations: found.evaluations,
             slope_bound: bounds.slope,
-            curvature_bound: bounds.curvature,
+            curvature_bound: bounds.curvature(0.0),
         })
     }
 
