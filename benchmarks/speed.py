@@ -13,7 +13,7 @@ from measurement.blocks import ROOT, fill
 
 sys.path.insert(0, str(ROOT))  # for the oracle of the tests
 
-from measurement import costs, machine, tables
+from measurement import cores, costs, machine, tables
 from measurement.accuracy import error_against_time
 from measurement.engine import batch, loop
 from measurement.interleaved import Work, seconds_a_design
@@ -24,7 +24,7 @@ from strainwave import Design, load
 from strainwave.plots import picture_bytes
 
 DESIGN = "designs/case-study/cosine-calibrated.toml"
-ROUNDS = 5
+ROUNDS, ROUNDS_OF_CORES = 5, 15
 ROWS = 10_000
 ROWS_OF_COSTS = 500
 POINTS = 1000
@@ -63,6 +63,7 @@ def blocks(design: Design) -> dict[str, str]:
         "speed": tables.sides(seconds, tables.SHORT),
         "speed-sides": tables.sides(seconds),
         "speed-accuracy": tables.accuracy(points),
+        "speed-cores": cores.table(seconds_a_design(cores.by_cores(design), ROUNDS_OF_CORES)),
         "speed-teeth": tables.teeth(seconds_a_design(costs.by_teeth(design, ROWS_OF_COSTS), ROUNDS), costs.TEETH),
         "speed-pieces": tables.pieces(seconds_a_design(costs.by_pieces(design, ROWS_OF_COSTS), ROUNDS), costs.PIECES),
         "speed-machine": f"{machine.description()}.\n",

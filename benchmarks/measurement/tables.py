@@ -62,7 +62,7 @@ def pieces(seconds: Mapping[str, float], counts: tuple[int, ...]) -> str:
 def shown(seconds: float) -> str:
     """A time with three figures."""
     for unit, size in (("s", 1.0), ("ms", 1e-3)):
-        if seconds >= size:
+        if seconds >= 0.9995 * size:  # which is 1 with three figures
             return f"{seconds / size:.3g} {unit}"
     return f"{seconds / 1e-6:.3g} µs"
 
