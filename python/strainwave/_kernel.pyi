@@ -217,7 +217,7 @@ class MotionMinimum:
         """No outline point moves faster than this, mm per index."""
     @property
     def curvature_bound(self) -> float:
-        """Bound of the gap's second derivative where the witness is smooth and nothing overlaps, mm per index squared."""
+        """Bound of the gap's second derivative where the witness is smooth and nothing overlaps, mm/index²."""
 
 @final
 class BatchProfiles:

@@ -14,6 +14,7 @@ from strainwave.studio.picture import Picture
 from strainwave.studio.session import Session
 from strainwave.studio.tabs.field import NumberField
 from strainwave.studio.tabs.generator_choice import GeneratorChoice
+from strainwave.studio.tabs.outcome import DatedOutcome
 from strainwave.studio.tabs.quantities import MARGIN
 from strainwave.studio.tabs.runner import Runner
 from strainwave.studio.tabs.strip import Refresh
@@ -51,21 +52,17 @@ class _Comparison:
                 with self._goal.classes("study-field"):
                     ui.tooltip(hint)
                 self._margin = NumberField("Margin", MARGIN, 0.1)
-                self._button = ui.button("Compare", on_click=self._run, color=None).props("dense unelevated no-caps")
-                self._button.classes("study-go")
-                self._runner = Runner(session, "comparison")
-            self._empty = ui.label(
+                button = ui.button("Compare", on_click=self._run, color=None).props("dense unelevated no-caps")
+                self._runner = Runner(session, "comparison", starter=button.classes("study-go"))
+            self._outcome = DatedOutcome(
                 "Compares generators on the same pair of splines, first all at the common w0, then each at the w0 "
-                "tuned for it."
-            ).classes("study-empty")
-            self._result = ui.element("div").classes("study-result")
-            with self._result:
-                self._stale = ui.label("Of another design than the present one; compare again.").classes("study-note")
+                "tuned for it.",
+                "Of another design than the present one; compare again.",
+            )
+            with self._outcome.place:
                 self._picture = Picture("Backlash of the generators over the tooth index").classes("study-picture")
                 self._tables = ui.element("div").classes("study-scroll")
                 ui.label(RULE).classes("study-hint")
-        self._result.set_visibility(False)
-        self._show_state()
 
     def refresh(self) -> None:
         """Follow the design: its own generator, its w0 where no other was typed, and whether the result is its own."""
@@ -75,7 +72,7 @@ class _Comparison:
             self._w0.set(w0)
         self._w0_shown = w0
         self._choice.show(design)
-        self._show_state()
+        self._date()
 
     async def _run(self) -> None:
         tables, w0, margin = self._choice.tables(), self._w0.value, self._margin.value
@@ -90,19 +87,14 @@ class _Comparison:
             self._session.threshold_um,
             margin,
         )
-        self._button.disable()
         found = await self._runner.run(find_comparison, request)
-        if self._result.is_deleted:
-            return
-        self._button.enable()
         if found is not None:
             self._asked = request
             self._show(found)
-        self._show_state()
+            self._date()
 
     def _show(self, found: ComparisonFound) -> None:
-        self._empty.set_visibility(False)
-        self._result.set_visibility(True)
+        self._outcome.show()
         self._picture.show(found.figure)
         self._tables.clear()
         record = found.record
@@ -131,11 +123,10 @@ class _Comparison:
         action = Action("Adopt", says, lambda: self._session.adopt({"wave_generator": own}))
         return Row(cells, action, classes="is-bad" if row["interference"] else "")
 
-    def _show_state(self) -> None:
-        """Say so where the result is of another pair of splines, or of another generator as the design's own."""
-        is_stale = self._asked is not None and _splines(self._asked.design) != _splines(self._session.design.to_dict())
-        self._stale.set_visibility(is_stale)
-        self._result.classes("is-stale") if is_stale else self._result.classes(remove="is-stale")
+    def _date(self) -> None:
+        """Say so where the result is of another pair of splines."""
+        if self._asked is not None:
+            self._outcome.date(is_stale=_splines(self._asked.design) != _splines(self._session.design.to_dict()))
 
 
 def _splines(tree: dict[str, Any]) -> dict[str, Any]:

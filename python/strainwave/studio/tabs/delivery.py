@@ -66,7 +66,7 @@ class Delivery:
         self._forget()
         design = self._session.design
         product = await self._runner.run(made, order)
-        if product is None or self._root.is_deleted:
+        if product is None:
             return
         self._show(order, product)
         if self._session.design is not design:

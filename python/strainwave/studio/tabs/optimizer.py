@@ -14,6 +14,7 @@ from strainwave.studio.tabs.field import NumberField
 from strainwave.studio.tabs.free_rows import FreeRows
 from strainwave.studio.tabs.goal_rows import GoalRows
 from strainwave.studio.tabs.optimization_result import answer, best_tables, front_table
+from strainwave.studio.tabs.outcome import Outcome
 from strainwave.studio.tabs.quantities import SEED
 from strainwave.studio.tabs.runner import Runner
 from strainwave.studio.tabs.strip import Refresh
@@ -46,20 +47,18 @@ class _Optimizer:
                 with ui.element("div"):
                     self._goals = GoalRows(self._check)
             with ui.element("div").classes("study-question"):
-                self._button = ui.button("Optimise", on_click=self._run, color=None).props("dense unelevated no-caps")
-                self._button.classes("study-go")
-                self._runner = Runner(session, "optimisation", keeps="End, keep the best")
-            self._empty = ui.label(
+                button = ui.button("Optimise", on_click=self._run, color=None).props("dense unelevated no-caps")
+                button.classes("study-go")
+                self._runner = Runner(session, "optimisation", starter=button, keeps="End, keep the best")
+            self._outcome = Outcome(
                 "Searches the ranges for the best design; with several objectives for the designs of which none is "
                 "better than another in all of them."
-            ).classes("study-empty")
-            self._result = ui.element("div").classes("study-result")
-            with self._result:
+            )
+            with self._outcome.place:
                 self._answer = ui.label().classes("study-verdict is-good").props('role="status"')
                 self._hint = ui.label("Click a point to take its design over.").classes("study-hint")
                 self._picture = Picture("What the optimisation found", on_pick=self._pick).classes("study-picture")
                 self._tables = ui.element("div").classes("study-scroll")
-        self._result.set_visibility(False)
 
     def refresh(self) -> None:
         """Offer the numbers of the design as it is now; what was found stays a design of its own."""
@@ -102,18 +101,13 @@ class _Optimizer:
         request = self._check()
         if request is None:
             return
-        self._button.disable()
         found = await self._runner.run(find_optimum, request)
-        if self._result.is_deleted:
-            return
-        self._button.enable()
         if found is not None:
             self._show(found)
 
     def _show(self, found: OptimizationFound) -> None:
         self._found = found
-        self._empty.set_visibility(False)
-        self._result.set_visibility(True)
+        self._outcome.show()
         is_front = len(found.record["objectives"]) > 1
         self._answer.set_text(answer(found.record))
         self._hint.set_visibility(is_front)

@@ -14,9 +14,10 @@ from strainwave.studio.session import Session
 class Runner:
     """A line of a tab: a bar with words and a button while the study runs, else what came of it in words."""
 
-    def __init__(self, session: Session, what: str, *, keeps: str = "") -> None:
-        """`what` names the study, such as "tuning"; `keeps` labels a button that ends it with what it has by then."""
-        self._session, self._what = session, what
+    def __init__(self, session: Session, what: str, *, starter: ui.button | None = None, keeps: str = "") -> None:
+        """`what` names the study, such as "tuning"; `starter` rests while it runs, and `keeps` labels a button
+        that ends it with what it has by then."""
+        self._session, self._what, self._starter = session, what, starter
         self.running = False
         with ui.element("div").classes("study-run").props('role="status"') as self._line:
             self._bar = ui.linear_progress(0.0, show_value=False).props("instant-feedback rounded").classes("study-bar")
@@ -30,7 +31,7 @@ class Runner:
         ui.context.client.on_delete(session.jobs.close)
 
     async def run(self, task: Task, request: Any) -> Any:
-        """The task's result; None where there is none, with the reason in the line."""
+        """The task's result; None where there is none, with the reason in the line, or no page any more."""
         if self._session.jobs.running:
             self.say(f"The {self._session.jobs.running} is still running. Wait for its end, or cancel it there.")
             return None
@@ -39,7 +40,8 @@ class Runner:
         self._report(0.0, "starting …")
         self._show()
         try:
-            return await self._session.jobs.run(self._what, task, request, self._report)
+            found = await self._session.jobs.run(self._what, task, request, self._report)
+            return None if self._line.is_deleted else found
         except CancelledError:
             self.say(f"The {self._what} was cancelled.")
         except StrainwaveError as error:
@@ -70,6 +72,8 @@ class Runner:
         if self._line.is_deleted:
             return
         self._line.set_visibility(self.running)
+        if self._starter:
+            self._starter.set_enabled(not self.running)
 
 
 def sentence(text: str) -> str:

@@ -10,6 +10,7 @@ from strainwave.studies.tolerance.analyze_tolerance import GREATEST_BASE, GREATE
 from strainwave.studio.picture import Picture
 from strainwave.studio.session import Session
 from strainwave.studio.tabs.field import NumberField
+from strainwave.studio.tabs.outcome import DatedOutcome
 from strainwave.studio.tabs.quantities import SEED
 from strainwave.studio.tabs.runner import Runner, sentence
 from strainwave.studio.tabs.strip import Refresh
@@ -45,27 +46,25 @@ class _Tolerance:
                 hint = "For the Sobol' indices: so many times two more than there are tolerances"
                 self._base = NumberField("Sobol' samples", BASE, FIRST_BASE, hint=hint)
                 self._seed = NumberField("Seed", SEED, 1, hint="The same seed gives the same result")
-                self._button = ui.button("Run", on_click=self._run, color=None).props("dense unelevated no-caps")
-                self._button.classes("study-go")
-            self._runner = Runner(session, "tolerance study", keeps="End, keep samples")
-            self._empty = ui.label(
-                "Gives the share of gears that run without interference when each number scatters as above."
-            ).classes("study-empty")
-            self._result = ui.element("div").classes("study-result")
-            with self._result:
-                self._stale = ui.label("Of another design than the present one; run again.").classes("study-note")
+                button = ui.button("Run", on_click=self._run, color=None).props("dense unelevated no-caps")
+                button.classes("study-go")
+            self._runner = Runner(session, "tolerance study", starter=button, keeps="End, keep samples")
+            self._outcome = DatedOutcome(
+                "Gives the share of gears that run without interference when each number scatters as above.",
+                "Of another design than the present one; run again.",
+            )
+            with self._outcome.place:
                 self._yield = ui.label().classes("study-verdict").props('role="status"')
                 self._notes = ui.label().classes("study-note")
                 self._picture = Picture("Distribution of the least backlash in motion, and its causes")
                 self._picture.classes("study-picture")
                 self._tables = ui.element("div").classes("study-scroll")
-        self._result.set_visibility(False)
 
     def refresh(self) -> None:
         """Offer the numbers of the design as it is now, and say whether the result is its own."""
         self._table.follow(self._session.design)
         self._check()
-        self._show_state()
+        self._date()
 
     def _check(self) -> None:
         self._table.read()
@@ -91,19 +90,14 @@ class _Tolerance:
             int(base),
             int(seed),
         )
-        self._button.disable()
         found = await self._runner.run(find_tolerance, request)
-        if self._result.is_deleted:
-            return
-        self._button.enable()
         if found is not None:
             self._asked = request
             self._show(found)
-        self._show_state()
+            self._date()
 
     def _show(self, found: ToleranceFound) -> None:
-        self._empty.set_visibility(False)
-        self._result.set_visibility(True)
+        self._outcome.show()
         self._yield.set_text(f"Yield {found.yield_words}")
         self._notes.set_text("\n".join(map(sentence, found.notes)))
         self._notes.set_visibility(bool(found.notes))
@@ -114,7 +108,6 @@ class _Tolerance:
             percentile_table(found.record)
             cause_table(found.record)
 
-    def _show_state(self) -> None:
-        is_stale = self._asked is not None and self._asked.design != self._session.design.to_dict()
-        self._stale.set_visibility(is_stale)
-        self._result.classes("is-stale") if is_stale else self._result.classes(remove="is-stale")
+    def _date(self) -> None:
+        if self._asked is not None:
+            self._outcome.date(is_stale=self._asked.design != self._session.design.to_dict())

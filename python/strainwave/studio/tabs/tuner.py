@@ -101,8 +101,6 @@ class _Tuner:
         self._look_again()
 
     def _show(self, found: TuningFound) -> None:
-        if self._result.is_deleted:
-            return
         self._found = found
         self._picture.show(found.figure)
         self._verdict.set_text(found.verdict)
