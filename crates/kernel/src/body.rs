@@ -8,7 +8,8 @@ use crate::feature::Feature;
 use crate::outline::{BoundingCircle, Outline, TEETH};
 use crate::point::Point;
 use crate::points::Circles;
-use crate::profile::{Profile, Role};
+use crate::profile::Profile;
+use crate::segment::Segment;
 use crate::ties::ConvexCorner;
 
 /// A flexspline tooth, or the circular spline around a space: the profile, its outline and what belongs to each flank.
@@ -101,11 +102,9 @@ impl Body {
         self.outline.reach(left.start.min(right.start)..left.end.max(right.end))
     }
 
-    /// Smallest radius of a convex arc of the flank, or infinity; land and floor have the gear's centre and are bounded
-    /// on their own.
+    /// Smallest radius of a convex arc, or infinity.
     pub fn least_convex_radius(&self) -> f64 {
-        let flank = self.profile.segments().iter().zip(self.profile.roles()).filter(|(_, role)| **role == Role::Flank);
-        let curvatures = flank.map(|(segment, _)| segment.curvature()).filter(|&curvature| curvature > 0.0);
+        let curvatures = self.profile.segments().iter().map(Segment::curvature).filter(|&curvature| curvature > 0.0);
         curvatures.fold(f64::INFINITY, |least, curvature| least.min(1.0 / curvature))
     }
 }

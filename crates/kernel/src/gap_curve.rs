@@ -149,10 +149,10 @@ impl<'a> GapCurve<'a> {
         let are_harmless = |on: &Side, of: &Side, corners: &[ConvexCorner], rooms: &mut Vec<Room>, seen: &Pose| {
             rooms.resize(corners.len(), Room::default());
             corners.iter().zip(rooms).all(|(corner, room)| {
-                let reach = corner.reach(around);
+                let Some(reach) = corner.reach(around) else { return false };
                 let distance = || corners::from_outline(seen.point(corner.point), on.outline, on.counted.clone());
-                let is_far = corner.side >= reach && room.exceeds(reach, pose, farthest, distance);
-                is_far || ties::harmless(on, corner, seen, of.counted.contains(&corner.piece), around)
+                room.exceeds(reach, pose, farthest, distance)
+                    || ties::harmless(on, corner, seen, of.counted.contains(&corner.piece), around)
             })
         };
         are_harmless(&on_space, &on_tooth, tooth.convex_corners(), of_tooth, pose)

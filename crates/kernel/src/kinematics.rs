@@ -6,7 +6,7 @@ use crate::quadrant::CurvePoint;
 
 /// Bounds are sampled along the curve; between samples smooth quantities change by far less than this share of their
 /// greatest value.
-const BETWEEN_STATIONS: f64 = 0.02;
+const BETWEEN_STATIONS: f64 = 0.03;
 
 /// How many parts of a quadrant have bounds of their own.
 const PARTS: usize = 32;
@@ -27,7 +27,7 @@ pub struct ToothMotion {
     pub height: f64,
     /// Farthest point, from that origin, that may touch something (mm).
     pub reach: f64,
-    /// Smallest radius of a convex arc of either flank (mm), or infinity.
+    /// Smallest radius of a convex arc (mm), or infinity.
     pub least_convex_radius: f64,
 }
 
@@ -38,20 +38,27 @@ pub struct MotionBounds {
     pub slope: f64,
     /// The tooth turns against its space by no more than this (rad per index).
     pub turning: f64,
-    /// No outline point accelerates faster than this (mm per index²).
+    /// No outline point of the tooth accelerates faster than this (mm per index²).
     acceleration: f64,
-    /// Smallest radius of a convex arc of either flank (mm), or infinity.
+    /// What a distance of 1 mm from the tooth adds to the acceleration: turning² and its rate of change.
+    acceleration_by_distance: f64,
+    /// Smallest radius of a convex arc (mm), or infinity.
     least_convex_radius: f64,
 }
 
 impl MotionBounds {
     /// The second derivative of the gap is at most this (mm per index²) while the witness is smooth, the foot of a common
-    /// normal or a corner on a smooth piece, and not deeper than `depth` (mm): sliding over an arc of radius ρ at a depth
-    /// of d adds speed²/(ρ − d). Infinite beyond [`DEEPEST`].
-    pub fn curvature(&self, depth: f64) -> f64 {
-        let is_known = depth <= DEEPEST * self.least_convex_radius;
-        let radius = self.least_convex_radius - depth;
-        if is_known { self.acceleration + self.slope * self.slope / radius } else { f64::INFINITY }
+    /// normal or a corner on a smooth piece, and the gap lies within a range (mm): sliding over an arc of radius ρ with a
+    /// gap of g adds speed²/(ρ + g), and a corner of the circular spline, seen from the tooth, lies by g beyond the
+    /// tooth's outline. Infinite where the bodies are too deep in each other, see [`DEEPEST`].
+    pub fn curvature(&self, [least, greatest]: [f64; 2]) -> f64 {
+        if -least > DEEPEST * self.least_convex_radius {
+            return f64::INFINITY;
+        }
+        let away = greatest.max(0.0);
+        let speed = self.slope + self.turning * away;
+        let acceleration = self.acceleration + self.acceleration_by_distance * away;
+        acceleration + speed * speed / (self.least_convex_radius + least)
     }
 
     fn most(self, other: Self) -> Self {
@@ -59,6 +66,7 @@ impl MotionBounds {
             slope: self.slope.max(other.slope),
             turning: self.turning.max(other.turning),
             acceleration: self.acceleration.max(other.acceleration),
+            acceleration_by_distance: self.acceleration_by_distance.max(other.acceleration_by_distance),
             least_convex_radius: self.least_convex_radius,
         }
     }
@@ -68,6 +76,7 @@ impl MotionBounds {
             slope: self.slope + share * other.slope,
             turning: self.turning + share * other.turning,
             acceleration: self.acceleration + share * other.acceleration,
+            acceleration_by_distance: self.acceleration_by_distance + share * other.acceleration_by_distance,
             least_convex_radius: self.least_convex_radius,
         }
     }
@@ -113,11 +122,11 @@ impl ToothMotion {
         let share = PARTS as f64 / lengths[lengths.len() - 1];
         let part = |length: f64| ((length * share) as usize).min(PARTS - 1);
         let mut stations = curve.stations();
-        let mut last = stations.next().map(|station| (station, self.frame(&station, curve.radius())));
+        let mut last = stations.next().map(|station| (station, self.frame(&station)));
         for (station, ends) in stations.zip(lengths.windows(2)) {
-            let now = (station, self.frame(&station, curve.radius()));
+            let now = (station, self.frame(&station));
             if let Some(last) = last.replace(now) {
-                let found = self.between_stations(&last, &now, curve.radius());
+                let found = self.between_stations(&last, &now);
                 whole = whole.most(found);
                 for bounds in &mut parts[part(ends[0])..=part(ends[1])] {
                     *bounds = bounds.most(found);
@@ -131,42 +140,39 @@ impl ToothMotion {
     }
 
     /// Bounds between two points of the curve that follow each other, with their frames.
-    fn between_stations(&self, last: &(CurvePoint, Frame), now: &(CurvePoint, Frame), radius: f64) -> MotionBounds {
+    fn between_stations(&self, last: &(CurvePoint, Frame), now: &(CurvePoint, Frame)) -> MotionBounds {
         let h = self.pitch;
         let step = (now.0.position - last.0.position).norm();
         let turning_rate = h * h * (now.0.curvature - last.0.curvature) / step;
         let mut found = MotionBounds { least_convex_radius: self.least_convex_radius, ..MotionBounds::default() };
-        for Frame { tangent, turning, speed, bend_at_origin, bend_at_center } in [&last.1, &now.1] {
-            let at_origin = *bend_at_origin + *tangent * (self.height * turning_rate);
-            let near =
-                at_origin.norm() + (turning * turning + turning_rate.abs()) * self.reach + 2.0 * turning.abs() * speed;
-            // The tip land's centre is the gear's centre, far from the tooth.
-            let at_center = *bend_at_center - *tangent * (radius * turning_rate);
+        for Frame { tangent, turning, speed, bend } in [&last.1, &now.1] {
+            let at_origin = *bend + *tangent * (self.height * turning_rate);
+            let by_distance = turning * turning + turning_rate.abs();
             found = found.most(MotionBounds {
                 slope: speed + turning.abs() * self.reach,
                 turning: turning.abs(),
-                acceleration: near.max(at_center.norm()),
+                acceleration: at_origin.norm() + by_distance * self.reach + 2.0 * turning.abs() * speed,
+                acceleration_by_distance: by_distance,
                 ..found
             });
         }
         found
     }
 
-    /// What the bounds need of one point of the curve; `radius` is that of the undeformed curve.
-    fn frame(&self, station: &CurvePoint, radius: f64) -> Frame {
+    /// What the bounds need of one point of the curve.
+    fn frame(&self, station: &CurvePoint) -> Frame {
         let (normal, tangent, curvature) = (station.normal, station.normal.clockwise(), station.curvature);
         let (h, turn) = (self.pitch, self.space_angle);
-        let motion_at = |height: f64| {
-            let position = station.position + normal * height;
-            let stretch = 1.0 + height * curvature;
-            let velocity = tangent * (h * stretch);
-            let bend = normal * (-curvature * stretch * h * h);
-            let in_turning_frame = velocity - position.clockwise() * turn;
-            (in_turning_frame, bend - velocity.clockwise() * (2.0 * turn) - position * (turn * turn))
-        };
-        let (velocity, bend_at_origin) = motion_at(self.height);
-        let (_, bend_at_center) = motion_at(-radius);
-        Frame { tangent, turning: h * curvature - turn, speed: velocity.norm(), bend_at_origin, bend_at_center }
+        let position = station.position + normal * self.height;
+        let stretch = 1.0 + self.height * curvature;
+        let velocity = tangent * (h * stretch);
+        let bend = normal * (-curvature * stretch * h * h);
+        Frame {
+            tangent,
+            turning: h * curvature - turn,
+            speed: (velocity - position.clockwise() * turn).norm(),
+            bend: bend - velocity.clockwise() * (2.0 * turn) - position * (turn * turn),
+        }
     }
 }
 
@@ -178,7 +184,6 @@ struct Frame {
     turning: f64,
     /// Of the tooth's origin (mm per index).
     speed: f64,
-    /// Accelerations (mm per index²) of the origin and of the gear's centre, but for the rate of turning.
-    bend_at_origin: Point,
-    bend_at_center: Point,
+    /// Acceleration (mm per index²) of the origin, but for the rate of turning.
+    bend: Point,
 }

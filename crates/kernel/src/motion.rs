@@ -5,7 +5,7 @@
 //! - no outline point moves faster than L per index there, so gap ≥ (g₀ + g₁)/2 − L h/2;
 //! - where every witness that can occur in the interval is smooth, gap″ ≤ M on each branch and branches meet in
 //!   downward kinks only, so gap lies above the parabola of second derivative M through the two ends. M depends on how
-//!   deep a witness can be, which the first bound tells.
+//!   deep or far apart the bodies can be, which the first bound tells.
 //!
 //! Witnesses at any index of the interval lie, seen from one of its ends, within L h/2 of where they were there. So two
 //! corners farther apart than gap + L h exclude corner on corner; and in an overlap, where the nearest piece of a body
@@ -127,8 +127,8 @@ impl GapCurve<'_> {
         let [start, end] = ends.map(|end| samples[end]);
         let width = end.index - start.index;
         let bounds = self.engagement().bounds().between(start.index, end.index);
-        let by_slope = 0.5 * (start.gap + end.gap - bounds.slope * width);
-        let by_curvature = above_parabola(start.gap, end.gap, bounds.curvature(-by_slope) * width * width);
+        let [by_slope, highest] = [-1.0, 1.0].map(|sign| 0.5 * (start.gap + end.gap + sign * bounds.slope * width));
+        let by_curvature = above_parabola(start.gap, end.gap, bounds.curvature([by_slope, highest]) * width * width);
         // The proof of smoothness costs; it is sought only where it settles the interval.
         let settles = by_slope < target && by_curvature >= target;
         let is_smooth = settles && ends.iter().all(|&end| self.smooth_around(&mut samples[end], 0.5 * width));

@@ -74,19 +74,20 @@ impl RingShape {
         }
         if !self.is_smooth() {
             return Err(GeometryError::BadShape {
-                reason: "the displacement must be continuous, with a continuous slope that is 0 at 0° and 90°",
+                reason: "the displacement must be continuous with its first two derivatives, and level at 0° and 90°",
             });
         }
         Ok(())
     }
 
-    /// Whether value and slope are continuous where stretches meet, on the axes of symmetry too.
+    /// Whether value, slope and second derivative are continuous where stretches meet, value and slope on the axes of
+    /// symmetry too: where the curvature jumped, so would the speed of a tooth.
     fn is_smooth(&self) -> bool {
         let Self::Pieces(pieces) = self else { return true };
         let near = |a: f64, b: f64| (a - b).abs() <= SMOOTH * (1.0 + a.abs().max(b.abs()));
         let meets = |pair: &[RingPiece]| {
             let [before, after] = [pair[0].at(pair[0].phi_end), pair[1].at(pair[0].phi_end)];
-            near(before[0], after[0]) && near(before[1], after[1])
+            (0..3).all(|order| near(before[order], after[order]))
         };
         let first_that_counts = &pieces[usize::from(pieces[0].phi_end == 0.0 && pieces.len() > 1)];
         pieces.windows(2).filter(|pair| pair[0].phi_end > 0.0).all(meets)

@@ -6,7 +6,9 @@ use std::f64::consts::PI;
 
 use common::{MODULE, Tooth, assert_near, case_study, circular_spline, engagement, flexspline, samples};
 use proptest::prelude::*;
-use strainwave_kernel::{ContactKind, Engagement, Outline, Point, Pose, clearance};
+use strainwave_kernel::{
+    Clearance, ContactKind, Engagement, Gear, NeutralCurve, Outline, Point, Pose, Profile, Segment, clearance,
+};
 
 /// Poses near the mesh: from far apart to an overlap of a tenth of a millimetre and more.
 fn any_pose() -> impl Strategy<Value = Pose> {
@@ -259,7 +261,7 @@ fn every_stretch_bounds_the_motion_of_its_own_teeth() {
         let [speed, acceleration, turning] = greatest;
         assert!(turning <= stretch.turning, "{from} to {to}: {turning} > {}", stretch.turning);
         assert!(speed + turning * reach <= stretch.slope + 1e-9, "{from} to {to}: {speed} > {}", stretch.slope);
-        assert!(acceleration <= stretch.curvature(0.0), "{from} to {to}: {acceleration}");
+        assert!(acceleration <= stretch.curvature([0.0; 2]), "{from} to {to}: {acceleration}");
         greatest_of_all = std::array::from_fn(|n| greatest_of_all[n].max(greatest[n]));
     }
     // Behind the minor axis all comes again.
@@ -272,6 +274,46 @@ fn every_stretch_bounds_the_motion_of_its_own_teeth() {
     let whole = bounds.whole();
     assert!(bounds.between(0.0, 0.5).slope < 0.2 * whole.slope);
     assert!(whole.slope < 1.1 * (greatest_of_all[0] + greatest_of_all[2] * reach));
+}
+
+/// A corner of a space slides over the root floor of a flexspline with few, straight teeth, both far apart: nothing bends the
+/// gap more.
+#[test]
+fn the_gap_bends_no_more_than_its_bound() {
+    const STEP: f64 = 1e-3;
+    let gear = |teeth, addendum, dedendum, internal| Gear {
+        teeth,
+        pitch_radius: 0.5 * f64::from(teeth),
+        addendum,
+        dedendum,
+        internal,
+    };
+    let flank = |x, y, angle, curvature, length| vec![Segment::new(Point::new(x, y), angle, curvature, length)];
+    let tooth = flank(0.388_716_7, 1.038_506_8, 1.743_123_9, -0.396_705_8, 2.258_106_7);
+    let space = flank(0.436_539_7, 0.878_071_4, 1.486_546_8, -0.187_864_9, 2.100_659_3);
+    let engagement = Engagement::new(
+        Profile::new(gear(24, 0.988_506_8, 0.862_471_3, false), &tooth, -0.099_565_3, 0.0).unwrap(),
+        Profile::new(gear(30, 0.828_071_4, 0.926_795_7, true), &space, 0.0, 0.0).unwrap(),
+        NeutralCurve::ellipse(9.921_628_1, 3.785_409_5, 0.0).unwrap(),
+    )
+    .unwrap();
+    let mut closest = 0.0_f64;
+    for i in 1..6000 {
+        let k = STEP * f64::from(i);
+        let around = [k - STEP, k, k + STEP].map(|k| engagement.clearances(&engagement.relative_pose(k)).left);
+        let is_one = |a: &Clearance, b: &Clearance| {
+            (a.kind, a.first.segment, a.second.segment) == (b.kind, b.first.segment, b.second.segment)
+        };
+        let is_smooth = around[1].kind != ContactKind::CornerOnCorner && around[1].kind != ContactKind::Bisector;
+        if is_smooth && is_one(&around[0], &around[1]) && is_one(&around[1], &around[2]) {
+            let [before, here, after] = around.map(|found| found.gap);
+            let bend = (before - 2.0 * here + after) / (STEP * STEP);
+            let bound = engagement.bounds().between(k - STEP, k + STEP).curvature([here, here]);
+            assert!(bend <= bound, "at {k}: {bend} > {bound}");
+            closest = closest.max(bend / bound);
+        }
+    }
+    assert!(closest > 0.5, "the bound is far from what it bounds: {closest}");
 }
 
 #[test]

@@ -157,5 +157,9 @@ fn a_displacement_with_a_jump_or_a_kink_is_refused() {
     assert_eq!(code(vec![piece(0.5, 0.0, 1.0), piece(FRAC_PI_2, 0.3, 1.0)]), "bad-shape");
     // cos φ has a slope at 90°.
     assert_eq!(code(vec![piece(FRAC_PI_2, 0.0, 1.0)]), "bad-shape");
+    // Two circles that touch: the second derivative jumps from one to the other.
+    let (quarter, half) = (FRAC_PI_2 / 2.0, FRAC_PI_2);
+    let falling = RingPiece { s: -1.0, ..piece(half, 2.0_f64.sqrt(), 0.0) };
+    assert_eq!(code(vec![piece(quarter, 0.0, 1.0), falling]), "bad-shape");
     assert!(two_roller().sampled().is_ok());
 }

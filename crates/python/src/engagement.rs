@@ -108,7 +108,7 @@ impl Engagement {
             lower_bound: found.lower_bound,
             evaluations: found.evaluations,
             slope_bound: bounds.slope,
-            curvature_bound: bounds.curvature(0.0),
+            curvature_bound: bounds.curvature([0.0; 2]),
         })
     }
 
