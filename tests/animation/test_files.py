@@ -12,10 +12,11 @@ import numpy as np
 import pytest
 from matplotlib.colors import to_rgb
 from numpy.typing import NDArray
-from PIL import Image
+from PIL import Image, ImageSequence
 
 from strainwave.analysis import Analysis, analyze
 from strainwave.animation import Film, animate, animation_bytes
+from strainwave.animation.gif import gif_bytes
 from strainwave.animation.stage import DOTS_PER_INCH, SIZE, pictures
 from strainwave.errors import StrainwaveError
 from strainwave.plots.clearance_colours import OVERLAP
@@ -87,6 +88,29 @@ def test_a_gif_has_all_frames_and_loops(analysis: Analysis) -> None:
         shown = np.asarray(found.convert("RGB"))
     last = list(pictures(film(analysis)))[-1]
     assert np.abs(shown.astype(int) - last).max(axis=-1).mean() < 4.0
+
+
+@pytest.mark.parametrize("rate", [1.0, 20.0, 24.0, 29.97, 33.0, 40.0, 50.0])
+def test_a_gif_lasts_as_long_as_its_frames(rate: float) -> None:
+    """Read back: every frame ends within half a hundredth of a second, in which the format counts, of its time."""
+    count = 100
+    frames = (np.full((4, 4, 3), 255 * (number % 2), dtype=np.uint8) for number in range(count))
+    with Image.open(io.BytesIO(gif_bytes(frames, count, rate))) as found:
+        lasting = [frame.info["duration"] for frame in ImageSequence.Iterator(found)]
+    assert len(lasting) == count
+    np.testing.assert_allclose(np.cumsum(lasting) / 1e3, np.arange(1, count + 1) / rate, atol=0.005 + 1e-9)
+    assert min(lasting) >= 20  # what is shorter, most programs show for 100 ms
+
+
+def test_a_gif_is_not_faster_than_programs_show_it(analysis: Analysis, tmp_path: Path) -> None:
+    drawn: list[tuple[int, int]] = []
+    with pytest.raises(
+        StrainwaveError, match=r"a GIF shows at most 50 frames per second, not 60: take fewer, or write"
+    ):
+        animate(analysis, tmp_path / "a.gif", frames=2, frames_per_s=60.0, progress=lambda *done: drawn.append(done))
+    assert drawn == []
+    assert list(tmp_path.iterdir()) == []
+    animate(analysis, tmp_path / "a.html", frames=2, frames_per_s=60.0)
 
 
 def test_an_mp4_has_all_frames_and_its_speed(analysis: Analysis, tmp_path: Path) -> None:

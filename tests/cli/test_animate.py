@@ -35,6 +35,7 @@ def test_every_format_is_written(
         (["--out", "a.gif", "--frames", "1"], "an animation has from 2 to 2000 frames, not 1"),
         (["--out", "a.gif", "--turns", "0"], "the generator turns by at most 1000 turns either way, and not by 0"),
         (["--out", "a.gif", "--fps", "100"], "frames per second must be from 1 to 60, not 100"),
+        (["--out", "a.gif", "--fps", "60"], "a GIF shows at most 50 frames per second, not 60"),
         (["--out", "a.gif", "--fixed", "housing"], "--fixed"),
         (["--out", "/no/such/place/a.gif"], "there is no directory /no/such/place"),
         ([], "--out"),

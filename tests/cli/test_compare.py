@@ -14,7 +14,7 @@ from strainwave.design import load, save
 from strainwave.studies import Tuning, compare, tune
 from tests.cli.command import run
 from tests.designs import CASE_STUDY
-from tests.studies.small import small
+from tests.studies.small import WILD, small
 
 COSINE = CASE_STUDY / "cosine-calibrated.toml"
 DUAL_DISK = CASE_STUDY / "dual-disk-0848-calibrated.toml"
@@ -57,6 +57,29 @@ def test_json_csv_and_picture(design: Path, tmp_path: Path, capsys: pytest.Captu
     assert plot.read_bytes().startswith(b"%PDF")
 
 
+def test_a_generator_that_makes_no_gear_has_its_row(
+    design: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    wild = tmp_path / "wild.toml"
+    save(small().replace("wave_generator", {**WILD, "w0": 0.212}), wild)
+    outcome = run(capsys, "compare", design, "--with", wild, "--with", "four-roller")
+    assert (outcome.code, outcome.err) == (0, "")
+    rows = [line.split("  ") for line in outcome.out.splitlines()]
+    suggested = [(row[0], row[-1].strip()) for row in rows if row[0].startswith(("cosine", "table", "four-roller"))]
+    assert suggested[1] == suggested[4] == ("table", "not viable")
+    assert [label for label, _ in suggested] == ["cosine", "table", "four-roller 19.5°"] * 2
+    words = " ".join(outcome.out.split())
+    assert "note: table, common w0: no w0 from 0.1 to 0.3 mm makes a gear (perimeter-not-kept)" in words
+
+
+def test_long_labels_cut_nothing_off(design: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    others = [f"dual-disk:wrap_angle=13,neutral_curve={model}" for model in ("first-order", "inextensible")]
+    outcome = run(capsys, "compare", design, "--with", others[0], "--with", others[1])
+    assert "…" not in outcome.out
+    assert "dual-disk 13° first-order" in outcome.out
+    assert "power transmission" in outcome.out
+
+
 def test_an_interrupt_keeps_what_is_finished(
     design: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -94,6 +117,10 @@ def test_a_full_disk_loses_nothing(design: Path, tmp_path: Path, capsys: pytest.
         (
             ["--with", "four-roller:roller_angle=50"],
             "--with four-roller:roller_angle=50: wave_generator.roller_angle = 50.0 degrees: must be",
+        ),
+        (
+            ["--with", "four-roller:roller_angle=25,w0=0.9"],
+            "--with four-roller:roller_angle=25,w0=0.9: wave_generator.w0 = 0.9 mm: is shared by all generators. Leave",
         ),
         (["--with", "none.toml"], "none.toml: there is no such file"),
         (["--w0", "-1"], "strainwave: --w0: wave_generator.w0 = -1.0 mm: must be"),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import json
 import os
 import pty
@@ -12,6 +13,7 @@ from pathlib import Path
 import pytest
 
 from strainwave import load
+from strainwave.cli.explore import explore
 from tests.cli.command import run
 from tests.designs import CASE_STUDY
 from tests.studies.exploration.clusters import arguments
@@ -73,6 +75,50 @@ def test_requirements_and_objective_choose_what_is_reported(capsys: pytest.Captu
     assert all(row["wave_generator.w0"] <= 0.86 and row["generator"] != "four-roller" for row in record["best"])
 
 
+def test_at_most_so_much_backlash_is_no_leave_to_interfere(capsys: pytest.CaptureFixture[str]) -> None:
+    asked = ["explore", "--summary", explored().place.path, "--require", "min_in_motion_um=:5", "--json"]
+    record = json.loads(run(capsys, *asked).out)
+    assert record["wanted"]["min_in_motion_um"] == [0.0, 5.0]
+    assert record["spreads"]["min_in_motion_um"]["least"] >= 0.0
+
+
+@pytest.mark.parametrize(
+    ("range_", "said", "recorded"),
+    [
+        ("0:inf", "min_in_motion_um at least 0;", [0.0, None]),
+        ("-inf:5", "min_in_motion_um at most 5;", [None, 5.0]),
+        ("-inf:inf", "any min_in_motion_um;", [None, None]),
+    ],
+)
+def test_an_infinite_end_is_none(
+    range_: str, said: str, recorded: list[float | None], capsys: pytest.CaptureFixture[str]
+) -> None:
+    asked = ["explore", "--summary", explored().place.path, "--require", f"min_in_motion_um={range_}"]
+    assert said in run(capsys, *asked).out
+    assert json.loads(run(capsys, *asked, "--json").out)["wanted"]["min_in_motion_um"] == recorded
+
+
+# What defines or computes a study, each with what would be taken anyway where that can be.
+OF_A_STUDY = {
+    "--samples": 3000, "--out": "study", "--seed": 1, "--metric": "tip_clearance_um", "--in-motion": None,
+    "--threshold": 10, "--chunk-rows": 256, "--threads": 0, "--dask": "local:2",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("option", OF_A_STUDY)
+def test_a_summary_refuses_what_it_would_have_to_ignore(option: str, capsys: pytest.CaptureFixture[str]) -> None:
+    value = [] if OF_A_STUDY[option] is None else [OF_A_STUDY[option]]
+    outcome = run(capsys, "explore", "--summary", explored().place.path, option, *value)
+    assert (outcome.code, outcome.out, outcome.err.count("\n")) == (2, "", 1)
+    assert f"--summary: reads a study that is there; it goes without {option} (" in outcome.err
+
+
+def test_every_option_is_one_of_a_study_or_one_of_reading_it() -> None:
+    reading = {"summary", "require", "objective", "best", "as_json", "csv", "plot", "parallel", "designs", "force"}
+    of_a_study = {"design", "space", *(option.strip("-").replace("-", "_") for option in OF_A_STUDY)}
+    assert set(inspect.signature(explore).parameters) == {"context"} | reading | of_a_study
+
+
 def test_the_json_keys_are_all_documented() -> None:
     record = explored().viable.summary(1).as_dict()
     for key in [*record, *record["samples"], *record["chunks"], *record["parameters"][0], *record["generators"][0]]:
@@ -89,7 +135,10 @@ def test_the_json_keys_are_all_documented() -> None:
         ([DESIGN, SPACE_FILE, "--samples", "9", "--out", "x", "--require", "module=1:2"], "'module' is no column"),
         ([DESIGN, SPACE_FILE, "--samples", "9", "--out", "x", "--objective", "module"], "'module' is no column"),
         (["--summary", "nowhere"], "nowhere: is no folder of an exploration"),
-        ([DESIGN, "--summary", "nowhere"], "goes without DESIGN, SPACE and --out"),
+        ([DESIGN, "--summary", "nowhere"], "it goes without DESIGN ("),
+        ([DESIGN, "a", "--summary", "nowhere", "--seed", "1"], "it goes without DESIGN, SPACE, --seed ("),
+        (["--summary", "nowhere", "--require", "min_tooth=nan:"], "'nan' must be a number"),
+        ([DESIGN, SPACE_FILE, "--samples", "9", "--out", "x", "--require", "min_backlash_um=:-1"], "end stays 0 where"),
         (["--summary", "nowhere", "--require", "module"], "must have the form NAME=LOW:HIGH"),
         (["--summary", "nowhere", "--plot", "picture.txt"], "a picture's name must end in"),
     ],

@@ -66,6 +66,11 @@ def test_the_options_reach_the_file(tmp_path: Path, capsys: pytest.CaptureFixtur
         ("step", ["--angle", "0"], "leave out the generator's angle (--angle)"),
         ("stl", ["--tooth", "0"], "leave out the tooth (--tooth)"),
         ("svg", ["--printing-clearance", "2"], "from -0.8 to 0.8 mm (one module), not 2 mm"),
+        (
+            "svg",
+            ["--part", "wave-generator", "--printing-clearance", "0.05"],
+            "the wave generator has no teeth to set back; leave out the printing clearance (--printing-clearance)",
+        ),
     ],
 )
 def test_what_cannot_be_exits_2_with_one_message(

@@ -58,6 +58,33 @@ def test_json_has_documented_keys_and_the_same_answer(capsys: pytest.CaptureFixt
         assert f"`{key}`" in PAGE, key
 
 
+@pytest.mark.parametrize(("range_", "ends"), [(":3", (0.0, 3.0)), ("-inf:3", (None, 3.0)), (":", (0.0, None))])
+def test_only_an_explicit_end_replaces_that_of_no_interference(
+    range_: str, ends: tuple[float | None, float | None], capsys: pytest.CaptureFixture[str]
+) -> None:
+    required = ["--require", f"minimum-backlash={range_}", "--generations", "1"]
+    (backlash, tips) = json.loads(run(capsys, "optimize", COSINE, *VARY, *required, "--json").out)["requirements"]
+    assert (backlash["figure"], backlash["low"], backlash["high"]) == ("minimum-backlash", *ends)
+    assert (tips["figure"], tips["low"], tips["high"]) == ("tip-clearance", 0.0, None)
+
+
+def test_force_costs_no_design_but_those_of_an_earlier_search(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    gear, other, found = (tmp_path / name for name in ("my-gear.toml", "other.toml", "found"))
+    for mine in (gear, other):
+        mine.write_text(COSINE.read_text(encoding="utf-8"), encoding="utf-8")
+    quick = ["optimize", gear, *QUICK, "--force"]
+    monkeypatch.chdir(tmp_path)
+    for place in (".", tmp_path):
+        outcome = run(capsys, *quick, "--out", place)
+        assert (outcome.code, outcome.out, outcome.err.count("\n")) == (2, "", 1)
+        assert "holds my-gear.toml and 1 more, which would be lost; nothing was written." in outcome.err
+    assert sorted(path.name for path in tmp_path.iterdir()) == [gear.name, other.name]
+    assert [run(capsys, *quick, "--out", found).code for _ in range(2)] == [0, 0]
+    assert [path.name for path in found.iterdir()] == ["best.toml"]
+
+
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [

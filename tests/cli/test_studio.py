@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import re
 import socket
 import subprocess
@@ -11,9 +12,12 @@ from pathlib import Path
 
 import pytest
 
+from strainwave.design import dumps
+from strainwave.studio.link import design_code
 from tests.browser.studio_server import WRONG, StudioServer
 from tests.cli.command import run
-from tests.designs import CASE_STUDY
+from tests.designs import CASE_STUDY, case
+from tests.studio.socket_client import SocketClient
 
 COSINE = CASE_STUDY / "cosine.toml"
 
@@ -26,6 +30,35 @@ def test_it_serves_until_ctrl_c(tmp_path: Path) -> None:
         code = server.ended()
     assert code == 130
     assert server.printed() == f"The studio is at {server.address} (Ctrl-C ends it).\nstrainwave: interrupted\n"
+
+
+def test_the_file_is_saved_as_it_was_opened(tmp_path: Path) -> None:
+    """With its comments and its name, also after a reload, but not for a link to another design of the same name."""
+    file = tmp_path / "Getriebe für Achse 1.toml"
+    other = case().replace("wave_generator.w0", 0.86)
+    content = b"# my own words\r\n" + COSINE.read_bytes()
+    file.write_bytes(content)
+    server = StudioServer.started(tmp_path / "log.txt", file)
+
+    async def saved(query: str = "") -> list[object]:
+        client = await SocketClient.opened(server.address, query)
+        for key, _ in client.found(lambda node: node.get("props", {}).get("aria-label") == "Save the design file"):
+            await client.send(key, "click", {})
+        async with asyncio.timeout(20.0):
+            while not any(name == "download" for name, _ in client.messages):
+                client.heard.clear()
+                await client.heard.wait()
+        await client.disconnect()
+        return [(message["filename"], message["src"]) for name, message in client.messages if name == "download"]
+
+    try:
+        assert asyncio.run(saved()) == [(file.name, content)]
+        assert asyncio.run(saved(f"?design={design_code(case())}")) == [(file.name, content)]
+        assert asyncio.run(saved(f"?design={design_code(other)}")) == [
+            ("Case-study-cosine-cam.toml", dumps(other).encode())
+        ]
+    finally:
+        server.ended()
 
 
 def test_without_a_file_an_example_is_open(tmp_path: Path) -> None:

@@ -114,6 +114,10 @@ def test_a_choice_says_what_it_is(choice: ExportChoice, words: str) -> None:
         ),
         (ExportChoice(tooth=-204, only=("flexspline",)), "tooth -204 is not there"),
         (ExportChoice(tooth=0, only=("wave-generator",)), "the wave generator has none"),
+        (
+            ExportChoice(only=("wave-generator",), printing_clearance_mm=0.05),
+            "the wave generator has no teeth to set back",
+        ),
         (ExportChoice(generator_angle_deg=math.nan), "angle must be a finite number"),
         (ExportChoice(generator_angle_deg=math.inf), "angle must be a finite number"),
         (ExportChoice(printing_clearance_mm=math.nan), "from -0.8 to 0.8 mm"),

@@ -61,6 +61,15 @@ def test_each_line_goes_through_the_numbers_of_its_design() -> None:
         assert (heights[roller] < 0.0) == (row[ROLLER] is None)
 
 
+def test_what_is_wanted_beyond_the_beginning_is_not_shown_there() -> None:
+    """A range of the rows' own numbers is kept, and also one in which the picture has none."""
+    shown = []
+    for first in (1000, 2000):
+        late = explored().where({"sample": (first, None)}).summary(3)
+        shown.append(len(np.asarray(scatter_matrix_figure(late).axes[7].collections[0].get_offsets())))
+    assert shown == [500, 0]
+
+
 def test_nothing_wanted_is_a_picture_too() -> None:
     nothing = explored().where({W0: (0.85, 0.85)}).summary(3)
     assert len(scatter_matrix_figure(nothing).axes) == 49

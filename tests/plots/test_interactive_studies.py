@@ -15,7 +15,7 @@ from strainwave.plots.style import VERMILION
 from strainwave.studies import Comparison, Tuning, compare, tune
 from strainwave.studies.optimization import Optimization, optimize
 from tests.studies.small import small
-from tests.studies.tolerance.runs import analysis
+from tests.studies.tolerance.runs import AWAY, analysis, away
 
 NAME = "<b>$x$ & co</b>"
 
@@ -124,6 +124,17 @@ def test_the_bars_are_the_indices_of_each_parameter() -> None:
         assert shown == {
             each.key: value for each, value in zip(found.monte_carlo.parameters, values.tolist(), strict=True)
         }
+
+
+@pytest.mark.parametrize("where", AWAY)
+def test_the_histogram_reaches_to_the_design_itself(where: str) -> None:
+    found = away(where)
+    figure = interactive.tolerance_figure(found)
+    low, high = figure.layout.xaxis.range
+    (nominal,) = (each for each in figure.layout.annotations if each.text == "nominal")
+    assert low < nominal.x == found.nominal.min_in_motion_um[0] < high
+    bars = figure.data[-1]
+    assert low <= bars.x[0] < bars.x[-1] <= high
 
 
 def test_a_point_of_the_front_knows_its_design() -> None:

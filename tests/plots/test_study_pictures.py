@@ -80,3 +80,18 @@ def test_each_generator_has_a_curve_in_each_panel_with_its_minimum_marked() -> N
             index, gap_um = np.asarray(curve.get_xydata()).T
             np.testing.assert_allclose(gap_um, found.gap_curve.gap_um(index))
             np.testing.assert_array_equal(mark.get_xydata(), [(found.min_in_motion_index, found.min_in_motion_um)])
+
+
+def test_generators_of_one_name_have_curves_of_their_own_and_room_for_their_labels() -> None:
+    wrapped = {"kind": "dual-disk", "wrap_angle": 13.0}
+    figure = comparison_figure(compare(small(), [wrapped, {**wrapped, "neutral_curve": "inextensible"}]))
+    figure.draw_without_rendering()
+    for axes in figure.axes:
+        legend = axes.get_legend()
+        assert legend is not None
+        assert legend.get_window_extent().width < axes.get_window_extent().width
+        curves = [each for each in axes.get_lines() if ":" in str(each.get_label())]
+        assert [str(each.get_label()).partition(":")[0] for each in curves] == [
+            "cosine", "dual-disk 13° first-order", "dual-disk 13° inextensible",
+        ]  # fmt: skip
+        assert len({(each.get_color(), each.get_linestyle()) for each in curves}) == 3

@@ -11,13 +11,14 @@ from typing import Any
 
 import pytest
 
-from strainwave import StrainwaveError, analyze
+from strainwave import DesignError, StrainwaveError, analyze
 from strainwave.studies import Comparison, Tuning, compare, tune
 from strainwave.studies.comparison import DEFAULT_PARAMETERS, with_generator
+from strainwave.studies.comparison.labels import labels_of
 from strainwave.studies.comparison.suggestion import suggestions
-from strainwave.wave_generators import Cosine, DualDisk
+from strainwave.wave_generators import Cosine, DualDisk, FourRoller, Table
 from tests.designs import case
-from tests.studies.small import small
+from tests.studies.small import WILD, small
 
 W0 = "wave_generator.w0"
 MODULE = sys.modules["strainwave.studies.comparison.compare"]  # the package gives the function of that name
@@ -110,12 +111,74 @@ def test_a_common_w0_that_makes_no_gear_says_why() -> None:
     assert found.at("tuned")[0].suggestion == "power transmission"
 
 
-def test_a_generator_that_makes_no_gear_at_any_w0_does_not_stop_the_others() -> None:
-    found = compare(small(), [{"kind": "dual-disk", "disk_radius": 19.8}], w0_mm=0.07)
-    common, tuned = (found.at(setting)[1] for setting in ("common", "tuned"))
-    assert (common.label, common.suggestion, tuned.suggestion) == ("dual-disk R 19.8 mm", "not viable", "not viable")
+@pytest.mark.parametrize(
+    ("generator", "w0_mm", "label", "status"),
+    [
+        # the common w0 lies below the range, and the disk's radius can be wrapped there only
+        ({"kind": "dual-disk", "disk_radius": 19.8}, 0.07, "dual-disk R 19.8 mm", "disk-radius-out-of-reach"),
+        (WILD, 0.212, "table", "perimeter-not-kept"),
+    ],
+    ids=["outside the range", "inside the range"],
+)
+def test_a_generator_that_makes_no_gear_at_any_w0_does_not_stop_the_others(
+    generator: dict[str, Any], w0_mm: float, label: str, status: str
+) -> None:
+    found = compare(small(), [{"neutral_curve": "inextensible", **generator}, "four-roller"], w0_mm=w0_mm)
+    (_, common, other), (_, tuned, other_tuned) = (found.at(setting) for setting in ("common", "tuned"))
+    assert (common.label, common.suggestion, tuned.suggestion) == (label, "not viable", "not viable")
+    assert common.analysis is tuned.analysis is None
     assert common.problem == tuned.problem
-    assert common.problem.startswith("no w0 from 0.1 to 0.3 mm makes a gear")
+    assert common.problem.startswith(f"no w0 from 0.1 to 0.3 mm makes a gear ({status})")
+    assert (other.kind, other_tuned.kind) == ("four-roller", "four-roller")
+    assert other.analysis is not None
+    assert other_tuned.analysis is not None
+
+
+def test_the_design_s_own_generator_that_makes_no_gear_does_not_stop_the_others() -> None:
+    own = small().replace("wave_generator", {**WILD, "w0": 0.212})
+    table, cosine = compare(own, ["cosine"]).at("tuned")
+    assert table.problem.startswith("no w0 from 0.1 to 0.3 mm makes a gear (perimeter-not-kept)")
+    assert cosine.analysis is not None
+
+
+def test_a_profile_that_cannot_be_stops_all() -> None:
+    """Also where the generator, too, makes no gear."""
+    pointed = small().replace("flexspline.profile.addendum", 5.0)
+    for generator in ("four-roller", WILD):
+        with pytest.raises(DesignError, match=r"flexspline\.profile\.addendum = 5\.0 modules: "):
+            compare(pointed.replace("wave_generator", with_generator(small(), generator).wave_generator), ["cosine"])
+
+
+def test_generators_of_one_name_are_told_apart_by_what_differs() -> None:
+    disks = [DualDisk(wrap_angle=13.0, w0=1.0, neutral_curve=model) for model in ("first-order", "inextensible")]
+    shapes = [Table(fourier=(0.0, 1.0 - last, last), w0=1.0) for last in (0.0, 0.1)]
+    named = [*disks, DualDisk(wrap_angle=14.0, w0=1.0), *shapes, Cosine(w0=1.0)]
+    assert labels_of(named) == [
+        "dual-disk 13° first-order", "dual-disk 13° inextensible", "dual-disk 14°", "table 1", "table 2", "cosine",
+    ]  # fmt: skip
+    with_bearing = disks[1].model_copy(update={"bearing_height": 12.0})
+    assert labels_of([*disks, with_bearing]) == [
+        "dual-disk 13° first-order", "dual-disk 13° inextensible 1", "dual-disk 13° inextensible 2",
+    ]  # fmt: skip
+
+
+def test_every_row_has_a_label_of_its_own() -> None:
+    wrapped = {"kind": "dual-disk", "wrap_angle": 13.0}
+    found = compare(small(), [wrapped, {**wrapped, "neutral_curve": "inextensible"}])
+    for setting in ("common", "tuned"):
+        labels = [each.label for each in found.at(setting)]
+        assert labels == ["cosine", "dual-disk 13° first-order", "dual-disk 13° inextensible"]
+
+
+def test_a_table_s_own_w0_is_refused() -> None:
+    """All are compared at one; the w0 of a design or a generator is passed over, for it must have one."""
+    table = {"kind": "four-roller", "roller_angle": 25.0, "w0": 0.22}
+    with pytest.raises(
+        DesignError, match=r"^wave_generator\.w0 = 0\.22 mm: is shared by all generators\. Leave it out"
+    ):
+        compare(small(), [table])
+    same = with_generator(small(), FourRoller(roller_angle=25.0, w0=0.22, neutral_curve="first-order"))
+    assert same == with_generator(small(), {"kind": "four-roller", "roller_angle": 25.0})
 
 
 @dataclass(frozen=True)

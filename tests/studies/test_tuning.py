@@ -19,7 +19,7 @@ from strainwave.studies import Tuning, tune
 from strainwave.studies.tuning import GOALS
 from strainwave.studies.tuning.window import windows_of
 from tests.designs import CASE_STUDY, case
-from tests.studies.small import small
+from tests.studies.small import WILD, small
 
 W0 = "wave_generator.w0"
 CALIBRATED = ["cosine-calibrated", "four-roller-calibrated", "dual-disk-0848-calibrated"]
@@ -203,6 +203,12 @@ def test_a_range_without_a_gear() -> None:
     changes = {"wave_generator.wrap_angle": None, "wave_generator.disk_radius": 19.8, W0: 0.07}
     with pytest.raises(StrainwaveError, match=r"no w0 from 0\.1 to 0\.3 mm makes a gear \(disk-radius-out-of-reach\)"):
         tune(small("dual-disk-0848-calibrated").replace(changes))
+
+
+def test_a_range_without_a_gear_about_the_own_w0() -> None:
+    """No fault of the own w0 alone, so the message blames none."""
+    with pytest.raises(StrainwaveError, match=r"^no w0 from 0\.1 to 0\.3 mm makes a gear \(perimeter-not-kept\)"):
+        tune(small().replace("wave_generator", {**WILD, "w0": 0.212}))
 
 
 def test_an_own_w0_that_makes_no_gear_does_not_stop_the_search() -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
@@ -13,7 +14,7 @@ from strainwave import Design, StrainwaveError, analyze, loads
 from strainwave.geometry import Geometry
 from strainwave.studies import Proposal, propose
 from strainwave.studies.comparison import DEFAULT_PARAMETERS
-from strainwave.studies.wizard import PROFILES, USES
+from strainwave.studies.wizard import PROFILES, USES, Request
 from tests.designs import case
 
 GENERATORS = list(DEFAULT_PARAMETERS)
@@ -113,6 +114,29 @@ def test_the_file_reads_back_as_the_design_and_says_what_was_chosen_and_why() ->
     assert max(map(len, text.splitlines())) <= 120
     named = [reason.what for reason in usual().reasons]
     assert named == ["teeth", "module", "wall", "profiles", "wave generator", "neutral curve", "w0", "flank offset"]
+
+
+@pytest.mark.parametrize(
+    ("use", "generator", "why"),
+    [
+        ("power", None, "the article's choice for power transmission"),
+        ("power", "cosine", "the article's choice for power transmission"),
+        ("power", "two-roller", "as asked"),
+        ("power", "dual-disk", "as asked; wrap angle 13°, fitted to the article's case study"),
+        (
+            "precision",
+            None,
+            "the article's choice for precision positioning; wrap angle 13°, fitted to the article's case study",
+        ),
+        ("precision", "cosine", "as asked"),
+        ("precision", "four-roller", "as asked; roller angle 19.5°, fitted to the article's case study"),
+    ],
+)
+def test_the_reason_of_the_generator_is_that_of_its_use(use: str, generator: str | None, why: str) -> None:
+    """The article's summary table finds the elliptical cam best for power and the dual disk for precision."""
+    asked = Request.of(100, 60, generator, use=use)
+    reasons = replace(usual(), request=asked).reasons
+    assert [reason.why for reason in reasons if reason.what == "wave generator"] == [why]
 
 
 def test_every_profile_names_its_source() -> None:

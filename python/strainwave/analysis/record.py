@@ -86,6 +86,11 @@ def json_text(record: dict[str, Any], *, indent: int | None = 2) -> str:
     return json.dumps(record, indent=indent, ensure_ascii=False, allow_nan=False)
 
 
+def finite(value: float) -> float | None:
+    """A number for a record; None for an infinite one, such as an end of a range that there is not."""
+    return value if math.isfinite(value) else None
+
+
 def _present(values: dict[str, Any]) -> dict[str, Any]:
     """The same with None for nan: a value that does not exist."""
     return {key: None if isinstance(value, float) and math.isnan(value) else value for key, value in values.items()}

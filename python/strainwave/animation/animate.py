@@ -28,8 +28,9 @@ def animate(
     """Write the gear as its wave generator turns clockwise, as .gif, .mp4 or .html by the file's name.
 
     Teeth are coloured by their clearance in each frame. Either spline is held fixed, and the other turns as it does in
-    the gear. The page needs nothing but itself. StrainwaveError where a number is out of range, the file cannot be
-    written, or .mp4 is asked for without the extra ``video``.
+    the gear. The page needs nothing but itself. A film has up to 60 frames per second, a .gif up to 50.
+    StrainwaveError where a number is out of range, the file cannot be written, or .mp4 is asked for without the extra
+    ``video``.
     """
     film = Film.of(analysis, frames=frames, turns=turns, fixed=fixed, frames_per_s=frames_per_s)
     write_film(film, path, overwrite=overwrite, progress=progress)
@@ -50,8 +51,20 @@ def animation_format(path: str | Path) -> str:
     return asked
 
 
+def check_speed(film: Film, kind: str) -> None:
+    """StrainwaveError where a format cannot show a film as fast as it is."""
+    from strainwave.animation.gif import FASTEST_PER_S
+
+    if kind == "gif" and film.frames_per_s > FASTEST_PER_S:
+        raise StrainwaveError(
+            f"a GIF shows at most {FASTEST_PER_S:g} frames per second, not {film.frames_per_s:g}: take fewer, "
+            "or write .mp4 or .html"
+        )
+
+
 def animation_bytes(film: Film, kind: str, progress: Progress = silent) -> bytes:
-    """A film as gif, mp4 or html."""
+    """A film as gif, mp4 or html. StrainwaveError where that cannot be, before anything is drawn."""
+    check_speed(film, kind)
     if kind == "html":
         from strainwave.animation.page import page
 
@@ -65,4 +78,4 @@ def animation_bytes(film: Film, kind: str, progress: Progress = silent) -> bytes
         return mp4_bytes(frames, film.frames_per_s)
     from strainwave.animation.gif import gif_bytes
 
-    return gif_bytes(frames, film.frames_per_s)
+    return gif_bytes(frames, len(film), film.frames_per_s)

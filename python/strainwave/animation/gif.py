@@ -6,6 +6,8 @@ import io
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from strainwave.animation.stage import Pixels
 from strainwave.plots.clearance_colours import STEPS, mixed, step_colour
 from strainwave.plots.looks import LOOKS
@@ -14,21 +16,32 @@ if TYPE_CHECKING:
     from PIL.Image import Image
 
 WHITE, BLACK = "#FFFFFF", "#222222"
+FASTEST_PER_S = 50.0  # what lasts less than two hundredths of a second, most programs show much longer
+HUNDREDTHS = 100  # of a second, in which the format counts
 # Each colour also part way to the black of the outlines and of letters, where their edges blend into it.
 TOWARDS_BLACK = (0.0, 0.25, 0.5, 0.75)
-MILLISECONDS = 1000.0
 
 
-def gif_bytes(frames: Iterable[Pixels], frames_per_s: float) -> bytes:
-    """An endless loop in the pictures' own colours, without dithering: areas stay plain and the file small."""
+def gif_bytes(frames: Iterable[Pixels], count: int, frames_per_s: float) -> bytes:
+    """An endless loop of `count` frames in the pictures' own colours.
+
+    Without dithering: areas stay plain and the file small.
+    """
     from PIL import Image
 
     colours = _palette()
     shown = (Image.fromarray(pixels).quantize(palette=colours, dither=Image.Dither.NONE) for pixels in frames)
     file = io.BytesIO()
-    duration = round(MILLISECONDS / frames_per_s)
-    next(shown).save(file, format="GIF", save_all=True, append_images=shown, duration=duration, loop=0)
+    durations = durations_ms(count, frames_per_s)
+    next(shown).save(file, format="GIF", save_all=True, append_images=shown, duration=durations, loop=0)
     return file.getvalue()
+
+
+def durations_ms(count: int, frames_per_s: float) -> list[int]:
+    """How long each frame lasts: whole hundredths of a second, so spread that the whole film keeps its time."""
+    ends = np.rint(HUNDREDTHS * np.arange(count + 1) / frames_per_s).astype(np.int64)
+    durations: list[int] = (np.diff(ends) * (1000 // HUNDREDTHS)).tolist()
+    return durations
 
 
 def _palette() -> Image:

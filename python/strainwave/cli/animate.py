@@ -32,7 +32,9 @@ def animate(
             "--turns", metavar="T", help="Turns of the wave generator in all, clockwise; the other way below 0."
         ),
     ] = 1.0,
-    fps: Annotated[float, typer.Option("--fps", metavar="N", help="Frames per second.")] = 20.0,
+    fps: Annotated[
+        float, typer.Option("--fps", metavar="N", help="Frames per second, up to 60; of a GIF up to 50.")
+    ] = 20.0,
     threshold: Threshold = 10.0,
     force: Force = False,
 ) -> None:

@@ -7,14 +7,22 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from strainwave.cli.options import AsJson, Force, Threads, Threshold
+from strainwave.cli.options import AsJson, Threads, Threshold
 
 if TYPE_CHECKING:
+    from collections.abc import Collection
+
+    from strainwave.studies.ends import Ends
     from strainwave.studies.exploration import Exploration
-    from strainwave.studies.exploration.requirements import Ends
+
+
+# What defines a study or says how it is computed: of no use where one that is there is read.
+OF_A_STUDY = ("design", "space", "samples", "out", "seed", "metric", "in_motion", "threshold", "chunk_rows", "threads",
+              "dask")  # fmt: skip
 
 
 def explore(
+    context: typer.Context,
     design: Annotated[
         Path | None, typer.Argument(metavar="DESIGN", help="Design file (TOML).", show_default=False)
     ] = None,
@@ -68,7 +76,8 @@ def explore(
             "--require",
             metavar="COLUMN=LOW:HIGH",
             help="Report designs in this range only; an end may be left out. generator=KIND,… chooses generators. "
-            "Default: no interference and tips clear of roots, which hold unless given otherwise.",
+            "Default: no interference and tips clear of roots, whose 0 holds unless another lower end is given (-inf: "
+            "for none).",
         ),
     ] = None,
     objective: Annotated[
@@ -93,7 +102,13 @@ def explore(
         Path | None,
         typer.Option("--designs", metavar="FOLDER", help="Write the best designs' files into the new FOLDER."),
     ] = None,
-    force: Force = False,
+    force: Annotated[
+        bool,
+        typer.Option(
+            "--force",
+            help="Overwrite files that exist, and replace the FOLDER of --designs if it holds only design-N.toml.",
+        ),
+    ] = False,
 ) -> None:
     """Compute up to a hundred million designs of a space into a dataset, on this machine or a cluster, and read it."""
     from functools import partial
@@ -106,6 +121,7 @@ def explore(
     from strainwave.design import load
     from strainwave.studies.exploration import Plan, load_exploration, load_space
     from strainwave.studies.exploration import explore as run
+    from strainwave.studies.exploration.design_files import OWN_NAMES
     from strainwave.studies.exploration.requirements import check_report
     from strainwave.whole_file import check_free
     from strainwave.whole_folder import check_folder_free
@@ -115,11 +131,13 @@ def explore(
     if csv is not None:
         check_free(csv, overwrite=force)
     if designs is not None:
-        check_folder_free(designs, overwrite=force)
+        check_folder_free(designs, OWN_NAMES, overwrite=force)
     wanted = _wanted(require or [])
     if summary is not None:
-        if design is not None or out is not None:
-            raise typer.BadParameter("goes without DESIGN, SPACE and --out", param_hint="--summary")
+        if given := _given(context, OF_A_STUDY):
+            raise typer.BadParameter(
+                f"reads a study that is there; it goes without {', '.join(given)}", param_hint="--summary"
+            )
         found = load_exploration(summary)
     else:
         if design is None or space is None or samples is None or out is None:
@@ -170,6 +188,17 @@ def explore(
         as_json=as_json,
         overwrite=force,
     )
+
+
+def _given(context: typer.Context, names: Collection[str]) -> list[str]:
+    """How the help calls those of some parameters that were given on the command line, also where it makes no odds."""
+    flags = {parameter.name: parameter.opts[0] for parameter in context.command.params}
+    sources = {name: context.get_parameter_source(name) for name in names}
+    return [
+        flags[name] if flags[name].startswith("-") else name.upper()
+        for name, source in sources.items()
+        if source is not None and source.name == "COMMANDLINE"
+    ]
 
 
 def _wanted(texts: list[str]) -> dict[str, Ends | list[str]]:

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from strainwave.cli.options import AsJson, DesignFile, Force, Threads, Threshold
+from strainwave.cli.options import AsJson, DesignFile, Threads, Threshold
 
 
 def optimize(
@@ -36,7 +36,8 @@ def optimize(
             "--require",
             metavar="FIGURE=LOW:HIGH",
             help="Keep a figure in a range: µm, teeth, mm (tip-land) or ppm (rim-strain); an end may be left out. "
-            "Default: minimum-backlash=0: and tip-clearance=0:, which hold unless given otherwise.",
+            "Default: minimum-backlash=0: and tip-clearance=0:, whose 0 holds unless another lower end is given "
+            "(-inf: for none).",
         ),
     ] = None,
     threshold: Threshold = 10.0,
@@ -55,7 +56,13 @@ def optimize(
     out: Annotated[
         Path | None, typer.Option("--out", metavar="FOLDER", help="Write each design's file into the new FOLDER.")
     ] = None,
-    force: Force = False,
+    force: Annotated[
+        bool,
+        typer.Option(
+            "--force",
+            help="Overwrite files that exist, and replace FOLDER if it holds only best.toml or front-N.toml.",
+        ),
+    ] = False,
 ) -> None:
     """Search ranges of a design's numbers for the best design, or for the Pareto front of several objectives."""
     from functools import partial
@@ -68,11 +75,12 @@ def optimize(
     from strainwave.cli.tables.optimization import optimization_report
     from strainwave.design import load
     from strainwave.studies.optimization import optimize as search
+    from strainwave.studies.optimization.design_files import OWN_NAMES
     from strainwave.whole_folder import check_folder_free
 
     check_outputs(plot, csv, overwrite=force)
     if out is not None:
-        check_folder_free(out, overwrite=force)
+        check_folder_free(out, OWN_NAMES, overwrite=force)
     free, required = ranges("--vary", vary), open_ranges("--require", require or [])
     with naming(design), best_so_far("generation") as report:
         found = search(

@@ -11,7 +11,7 @@ import typer
 from strainwave.errors import StrainwaveError
 
 if TYPE_CHECKING:
-    from strainwave.design import Design
+    from strainwave.studio.header.design_file import DesignFile
 
 EXAMPLE = "cosine-calibrated"
 OPEN_TO_OTHERS = (
@@ -69,19 +69,19 @@ def studio(
             # Some browsers keep whoever opens them waiting until they are closed.
             Thread(target=typer.launch, args=(address,), daemon=True).start()
 
-    run_studio(opened, host=host, port=port, token=token, started=tell)
+    run_studio(opened.design, file=opened, host=host, port=port, token=token, started=tell)
 
 
-def _opened(file: Path | None) -> Design:
-    """The design to begin with, one that has a geometry."""
-    from strainwave.analysis.case_study.design_files import case_study_design
+def _opened(file: Path | None) -> DesignFile:
+    """The file to begin with; its design has a geometry."""
+    from strainwave.analysis.case_study.design_files import case_study_file
     from strainwave.cli.naming import naming
-    from strainwave.design import load
     from strainwave.geometry import Geometry
+    from strainwave.studio.header.design_file import DesignFile
 
     if file is None:
-        return case_study_design(EXAMPLE)
+        return DesignFile.opened(f"{EXAMPLE}.toml", case_study_file(EXAMPLE))
     with naming(file):
-        design = load(file)
-        Geometry.of(design)
-    return design
+        opened = DesignFile.read(file)
+        Geometry.of(opened.design)
+    return opened

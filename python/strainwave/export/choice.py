@@ -93,6 +93,10 @@ class ExportChoice:
                 f"the printing clearance must be from {-greatest:g} to {greatest:g} mm (one module), "
                 f"not {self.printing_clearance_mm:g} mm"
             )
+        if self.printing_clearance_mm and self.parts == ("wave-generator",):
+            raise StrainwaveError(
+                "the wave generator has no teeth to set back; leave out the printing clearance (--printing-clearance)"
+            )
         if self.tooth is not None:
             self._check_tooth(design, self.tooth)
 

@@ -20,6 +20,10 @@ DASHES = ("-", (0, (5, 1.5)), (0, (1.5, 1.2)))
 THRESHOLDS_ABOVE = 3.0
 THRESHOLDS_BELOW = 4.0
 LEGEND = "w0 in mm, least in motion in µm"
+# Labels up to this length stand in two columns below a panel. For more rows than usual the picture grows.
+LONGEST_BESIDE = 18
+USUAL_ROWS = 3
+ROW_INCHES = 0.16
 
 
 def comparison_figure(comparison: Comparison) -> Figure:
@@ -27,9 +31,11 @@ def comparison_figure(comparison: Comparison) -> Figure:
     from matplotlib.figure import Figure
 
     with house_style():
-        figure = Figure(figsize=(9.6, 5.2), layout="constrained")
-        panels = figure.subplots(1, 2, sharex=True, sharey=True)
         labels = list(dict.fromkeys(each.label for each in comparison.contenders))
+        columns = 2 if max(map(len, labels)) <= LONGEST_BESIDE else 1
+        more_rows = max(0, -(-len(labels) // columns) - USUAL_ROWS)
+        figure = Figure(figsize=(9.6, 5.2 + ROW_INCHES * more_rows), layout="constrained")
+        panels = figure.subplots(1, 2, sharex=True, sharey=True)
         for axes, (setting, title) in zip(panels, titles(comparison).items(), strict=True):
             _draw_levels(axes, comparison)
             for contender in comparison.at(setting):
@@ -37,7 +43,7 @@ def comparison_figure(comparison: Comparison) -> Figure:
             axes.set_title(title)
             axes.set_xlabel("tooth index from the major axis")
             # Below the panel: no corner of it is free of curves for certain.
-            axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.14), ncols=2, fontsize=7.5, title=LEGEND)
+            axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.14), ncols=columns, fontsize=7.5, title=LEGEND)
         figure.suptitle(comparison.design.title, x=0.01, ha="left", size=10.0, weight="bold", parse_math=False)
         _limit(panels[0], comparison)
         panels[0].set_ylabel("normal backlash, µm")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -34,7 +35,7 @@ def scatter_matrix_figure(found: Summary) -> Figure:
 
     exploration = found.exploration
     every = type(exploration)(exploration.place, exploration.finished).first(POINTS_SHOWN)
-    wanted = exploration.where({SAMPLE: (None, len(every) - 1)}).first(POINTS_SHOWN)
+    wanted = _among(every, exploration.first(POINTS_SHOWN))
     names = _variables(found)
     with house_style():
         side = 1.0 + 1.2 * len(names)
@@ -86,6 +87,12 @@ def parallel_coordinates_figure(found: Summary) -> Figure:
         _title(figure, found, f"the first {len(wanted)} designs that meet all")
         figure.legend(handles=_handles(found)[1:], loc="outside lower center", ncols=4)
         return figure
+
+
+def _among(every: Selection, wanted: Selection) -> Selection:
+    """Those that are wanted of the first ones; both are in the order of the sequence."""
+    last = every.column(SAMPLE).max(initial=-1.0)
+    return replace(wanted, table=wanted.table.slice(0, int((wanted.column(SAMPLE) <= last).sum())))
 
 
 def _variables(found: Summary) -> list[str]:

@@ -7,18 +7,19 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from strainwave.plots.style import BLUE, GREY, INK, SKY, VERMILION, house_style, set_title
+from strainwave.plots.tolerance_marks import Mark, bin_edges, marks, span_um
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from strainwave.columns import Floats
     from strainwave.studies.tolerance import SobolIndices, ToleranceAnalysis
     from strainwave.studies.tolerance.monte_carlo import Yield
 
-BINS = 60
-PERCENTILES_SHOWN = (1.0, 50.0, 99.0)
 BAR = 0.38
+# Shares of the histogram's height: where the words over its marks begin, how far apart their rows are, and how high
+# bars reach where there were none; and of its width, what the words over a percentile need.
+TOP, ROW, BARS_UP_TO, ROOM = 0.99, 0.06, 0.91, 0.17
 # Of a share that lies so near to 0 or 1, two decimals would hide what matters.
 NEAR_AN_END = 1e-3
 
@@ -59,16 +60,13 @@ def _histogram(axes: Axes, found: ToleranceAnalysis) -> None:
     middles = 0.5 * (edges[1:] + edges[:-1])
     colours = [VERMILION if middle < 0.0 else BLUE for middle in middles]
     axes.bar(middles, 100.0 * heights / len(found.monte_carlo.responses), np.diff(edges), color=colours, lw=0)
-    axes.set_xlim(edges[0], edges[-1])
-    axes.set_ylim(top=1.18 * axes.get_ylim()[1])
+    span = span_um(found, edges)
+    axes.set_xlim(span)
+    shown = marks(found, span, ROOM)
+    axes.set_ylim(0.0, axes.get_ylim()[1] / (BARS_UP_TO - ROW * max(mark.row for mark in shown)))
     axes.axvline(0.0, color=VERMILION, lw=1.0)
-    nominal = float(found.nominal.min_in_motion_um[0])
-    axes.axvline(nominal, color=INK, lw=1.0, ls=(0, (1, 1.2)))
-    _mark(axes, nominal, "nominal", 0.99)
-    for percent, value in found.min_in_motion_percentiles_um.items():
-        if percent in PERCENTILES_SHOWN:
-            axes.axvline(value, color=GREY, lw=1.0, ls=(0, (5, 3)))
-            _mark(axes, value, f"{percent:g} %: {value:.2f} µm".replace("-", "−"), 0.93)
+    for mark in shown:
+        _draw(axes, mark)
     axes.set_xlabel("least backlash in motion, µm")
     axes.set_ylabel("samples, %")
     set_title(axes, found.design.title, pad=20.0)
@@ -76,25 +74,21 @@ def _histogram(axes: Axes, found: ToleranceAnalysis) -> None:
     axes.annotate(text, (0.0, 1.0), (0.0, 6.0), xycoords="axes fraction", textcoords="offset points", color=INK)
 
 
-def bin_edges(least: Floats) -> Floats:
-    """Edges of bins of one width, 0 among them, so that no bar holds gears that run and gears that do not."""
-    low, high = (float(least.min()), float(least.max())) if len(least) else (-1.0, 1.0)
-    width = max(high - low, 1e-6) / BINS
-    first, last = np.floor(low / width), np.floor(high / width) + 1.0
-    return np.arange(first, last + 1.0) * width
-
-
-def _mark(axes: Axes, value: float, text: str, height: float) -> None:
+def _draw(axes: Axes, mark: Mark) -> None:
+    """A line across the histogram, with words over it that take no part in the layout."""
+    colour, dashes = (INK, (1, 1.2)) if mark.is_nominal else (GREY, (5, 3))
+    axes.axvline(mark.value_um, color=colour, lw=1.0, ls=(0, dashes))
     axes.text(
-        value,
-        height,
-        text,
+        mark.value_um,
+        TOP - ROW * mark.row,
+        mark.words,
         transform=axes.get_xaxis_transform(),
-        ha="center",
+        ha=mark.anchor,
         va="top",
         color=INK,
         fontsize=8.0,
         bbox={"fc": "white", "ec": "none", "pad": 1.0},
+        in_layout=False,
     )
 
 
@@ -108,4 +102,4 @@ def _bars(axes: Axes, found: ToleranceAnalysis, indices: SobolIndices) -> None:
     axes.grid(visible=False, axis="y")
     axes.set_xlim(left=0.0)
     axes.set_xlabel("Sobol' index: share of the variance of the least backlash in motion")
-    axes.legend(loc="lower right")
+    axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), borderaxespad=0.0, ncols=2)

@@ -49,6 +49,8 @@ def test_generators_of_one_kind_are_told_apart() -> None:
     assert [each.label for each in plan(space).categories] == ["four-roller 15°", "four-roller 25°", "cosine"]
     space = space_of(table, {"kind": "table", "fourier": [0.0, 0.95, 0.05]})
     assert [each.label for each in plan(space).categories] == ["table 1", "table 2"]
+    space = space_of({"kind": "cosine", "neutral_curve": "inextensible"}, {"kind": "cosine"})
+    assert [each.label for each in plan(space).categories] == ["cosine inextensible", "cosine first-order"]
 
 
 def test_ranges_are_in_the_units_of_the_design_file() -> None:
@@ -81,7 +83,7 @@ def test_every_fault_of_a_space_is_named_at_once() -> None:
 @pytest.mark.parametrize(
     ("table", "message"),
     [
-        ({"kind": "cosine", "w0": 0.9}, "generators[1].w0 = 0.9 mm: is shared by all generators. Vary wave_gen"),
+        ({"kind": "cosine", "w0": 0.9}, "generators[1].w0 = 0.9 mm: is shared by all generators. Leave it out"),
         ({"kind": "four-roller", "roller_angle": 95}, "generators[1].roller_angle = 95 degrees: must be"),
         ({"kind": "six-roller"}, "generators[1]: there is no wave generator of kind"),
         ({"roller_angle": 15}, "generators[1].kind: is missing"),

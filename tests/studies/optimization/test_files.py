@@ -36,6 +36,18 @@ def test_a_front_is_a_file_for_each_design_in_its_order(tmp_path: Path) -> None:
         front().save(tmp_path / "front")
 
 
+def test_one_answer_after_another_may_take_a_folder_but_none_that_holds_more(tmp_path: Path) -> None:
+    front().save(tmp_path / "found")
+    single().save(tmp_path / "found", overwrite=True)
+    assert [path.name for path in (tmp_path / "found").iterdir()] == ["best.toml"]
+    front().save(tmp_path / "found", overwrite=True)
+    (tmp_path / "found" / "my-gear.toml").write_text("mine")
+    for found in (single(), front()):
+        with pytest.raises(StrainwaveError, match=r"holds my-gear\.toml, which would be lost"):
+            found.save(tmp_path / "found", overwrite=True)
+    assert len(list((tmp_path / "found").iterdir())) == len(front()) + 1
+
+
 def test_no_name_of_a_design_can_leave_the_header() -> None:
     hostile = case().replace("name", "gear\nmodule = 7\r# \x1b[2J")
     found = optimize(hostile, VARY, require=WITHIN, generations=5)

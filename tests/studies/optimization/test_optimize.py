@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import sys
 from collections.abc import Callable
 
@@ -17,7 +18,7 @@ from tests.studies.optimization.runs import VARY, WITHIN, front, single
 
 WALL = {"wave_generator.w0": (0.80, 0.90), "flexspline.wall_thickness": (1.2, 2.0)}
 MANY = {"teeth-below": (30.0, None)}  # the evenness of two teeth is no achievement
-ANYTHING = {"minimum-backlash": (None, None), "tip-clearance": (None, None)}
+ANYTHING = {"minimum-backlash": (-math.inf, None), "tip-clearance": (-math.inf, None)}
 
 
 def test_the_case_study_as_printed_becomes_what_the_article_describes() -> None:

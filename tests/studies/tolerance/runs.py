@@ -34,3 +34,19 @@ THREE = Tolerances(
 def analysis() -> ToleranceAnalysis:
     """The calibrated cosine cam with `THREE`."""
     return analyze_tolerance(case("cosine-calibrated"), THREE, samples=2048, sobol_samples=128)
+
+
+AWAY = {
+    "above": Normal(parameter=W0, shift=0.004, sigma=0.0005),
+    "below": Normal(parameter=W0, shift=-0.002, sigma=0.0003),
+    "far below": Uniform(parameter=ECCENTRICITY, lower=0.02, upper=0.022),
+}
+"""Samples none of which is near the design's own value, by where they lie."""
+
+
+@cache
+def away(where: str) -> ToleranceAnalysis:
+    """The calibrated cosine cam with one of `AWAY`."""
+    return analyze_tolerance(
+        case("cosine-calibrated"), Tolerances(tolerances=(AWAY[where],)), samples=256, sobol_samples=64
+    )

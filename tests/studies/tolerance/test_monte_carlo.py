@@ -160,6 +160,18 @@ def test_deep_interference_has_the_minimum_at_angle_0() -> None:
     assert result.min_in_motion_um <= result.min_backlash_um < -5.0
 
 
+@pytest.mark.parametrize("name", ["cosine-calibrated", "dual-disk-0848-calibrated"])
+def test_the_design_itself_has_its_certified_minimum_however_deep(name: str) -> None:
+    """1.49 and -14.62 µm in motion (docs/commands/analyze.md); at angle 0 the second has -14.57 µm."""
+    around = Tolerances(tolerances=(Uniform(parameter=W0, lower=-0.001, upper=0.001),))
+    found = analyze_tolerance(case(name), around, samples=64, sobol_samples=64)
+    result = analyze(case(name))
+    assert found.nominal.min_in_motion_um[0] == result.min_in_motion_um
+    assert found.nominal.play_um[0] == result.play.circumferential_um
+    record = json.loads(found.to_json())
+    assert record["min_in_motion_um"]["nominal"] == pytest.approx(record["contact"]["gap_um"], abs=1e-3)
+
+
 def test_percentiles_leave_out_what_is_absent() -> None:
     found = percentiles(np.append(np.linspace(0.0, 100.0, 1001), np.nan))
     assert list(found) == list(PERCENTILES)

@@ -45,6 +45,7 @@ def _table(comparison: Comparison, setting: str) -> Table:
     name = f"all at w0\n{comparison.w0_mm:g} mm" if common else f"each tuned:\n{comparison.goal}"
     below = f"below {comparison.threshold_um:g} µm\nside / lobe"
     table = grid(name, "w0 mm", below, "in motion\nµm @ index", "inter-\nferes", "play\nµm")
+    table.columns[0].no_wrap = False  # long labels take a second line rather than letters from the figures
     table.add_column("suggested use", no_wrap=True)
     for contender in comparison.at("common" if common else "tuned"):
         table.add_row(contender.label, *_cells(contender), style=COLOURS[contender.suggestion])

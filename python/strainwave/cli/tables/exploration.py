@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections import Counter
 from typing import TYPE_CHECKING, Any
 
@@ -95,9 +96,9 @@ def _wanted(name: str, what: Any) -> str:
     if name == "generator":
         return f"generator {' or '.join(what)}"
     low, high = what
-    if high is None:
-        return f"{name} at least {low:g}" if low is not None else f"any {name}"
-    return f"{name} at most {high:g}" if low is None else f"{name} {low:g} to {high:g}"
+    if math.isinf(high):
+        return f"any {name}" if math.isinf(low) else f"{name} at least {low:g}"
+    return f"{name} at most {high:g}" if math.isinf(low) else f"{name} {low:g} to {high:g}"
 
 
 def _head(name: str) -> str:

@@ -6,10 +6,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from strainwave.plots.charts.words import micrometres
 from strainwave.plots.interactive.house import graph_objects, house_figure
 from strainwave.plots.style import BLUE, GREY, INK, SKY, VERMILION
-from strainwave.plots.tolerance import PERCENTILES_SHOWN, bin_edges, yield_text
+from strainwave.plots.tolerance import yield_text
+from strainwave.plots.tolerance_marks import Mark, bin_edges, marks, span_um
 
 if TYPE_CHECKING:
     from plotly.graph_objects import Figure
@@ -20,7 +20,9 @@ if TYPE_CHECKING:
 HISTOGRAM, BARS, AROUND = 260, 30, 90
 # Share of the width that the keys have beside the bars.
 ROOM_FOR_KEYS = 0.42
-HEADROOM = 1.25
+# Of the histogram: how far apart the rows of words over its marks are, and how high bars reach where there were none;
+# and of its width, what the words over a percentile need where the window is narrow.
+ROW, BARS_UP_TO, ROOM = 0.09, 0.89, 0.28
 
 
 def tolerance_figure(found: ToleranceAnalysis) -> Figure:
@@ -54,31 +56,42 @@ def _draw_histogram(figure: Figure, found: ToleranceAnalysis) -> None:
             hovertemplate="%{customdata[0]:.2f} to %{customdata[1]:.2f} µm<br>%{y:.2f} % of samples<extra></extra>",
         )
     )
+    span = span_um(found, edges)
+    shown = marks(found, span, ROOM)
+    bars_up_to = BARS_UP_TO - ROW * max(mark.row for mark in shown)
     figure.update_layout(
         xaxis_title_text="least backlash in motion, µm",
         yaxis_title_text="samples, %",
-        xaxis_range=[edges[0], edges[-1]],
-        yaxis_range=[0.0, HEADROOM * 100.0 * heights.max() / len(least)],
+        xaxis_range=span,
+        yaxis_range=[0.0, 100.0 * heights.max() / len(least) / bars_up_to],
         bargap=0.0,
     )
-    _mark(figure, 0.0, "", {"color": VERMILION, "width": 1})
-    _mark(figure, float(found.nominal.min_in_motion_um[0]), "nominal", {"color": INK, "width": 1.2, "dash": "dot"})
-    for percent, value in found.min_in_motion_percentiles_um.items():
-        if percent in PERCENTILES_SHOWN:
-            words = f"{percent:g} %: {micrometres(value)}"
-            _mark(figure, value, words, {"color": GREY, "width": 1, "dash": "dash"}, lower=True)
+    figure.add_shape(**_across(0.0), line={"color": VERMILION, "width": 1})
+    for mark in shown:
+        _draw(figure, mark)
 
 
-def _mark(figure: Figure, at: float, words: str, line: dict[str, Any], *, lower: bool = False) -> None:
+def _draw(figure: Figure, mark: Mark) -> None:
     """A line across the histogram, with words over it."""
-    if not np.isfinite(at):
-        return
-    figure.add_shape(type="line", x0=at, x1=at, y0=0.0, y1=1.0, xref="x", yref="y domain", line=line)
-    if words:
-        place: dict[str, Any] = {"x": at, "y": 0.91 if lower else 1.0, "xref": "x", "yref": "y domain"}
-        figure.add_annotation(
-            **place, text=words, showarrow=False, bgcolor="white", font={"size": 11, "color": INK}, yanchor="top"
-        )
+    colour, width, dash = (INK, 1.2, "dot") if mark.is_nominal else (GREY, 1, "dash")
+    figure.add_shape(**_across(mark.value_um), line={"color": colour, "width": width, "dash": dash})
+    figure.add_annotation(
+        x=mark.value_um,
+        y=1.0 - ROW * mark.row,
+        xref="x",
+        yref="y domain",
+        text=mark.words,
+        showarrow=False,
+        bgcolor="white",
+        font={"size": 11, "color": INK},
+        xanchor=mark.anchor,
+        yanchor="top",
+    )
+
+
+def _across(at: float) -> dict[str, Any]:
+    """A line's place: over the whole height of the histogram."""
+    return {"type": "line", "x0": at, "x1": at, "y0": 0.0, "y1": 1.0, "xref": "x", "yref": "y domain"}
 
 
 def _draw_bars(figure: Figure, found: ToleranceAnalysis, indices: SobolIndices) -> None:

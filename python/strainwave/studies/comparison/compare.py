@@ -10,7 +10,8 @@ from strainwave.design import Design
 from strainwave.errors import DesignError, StrainwaveError
 from strainwave.studies.comparison.comparison import Comparison
 from strainwave.studies.comparison.contender import Contender
-from strainwave.studies.comparison.generators import DEFAULT_PARAMETERS, Generator, label_of, with_generator
+from strainwave.studies.comparison.generators import DEFAULT_PARAMETERS, Generator, with_generator
+from strainwave.studies.comparison.labels import labels_of
 from strainwave.studies.comparison.suggestion import suggestions
 from strainwave.studies.progress import Progress, silent
 from strainwave.studies.tuning import GOALS, Goal, tune
@@ -30,20 +31,22 @@ def compare(
 ) -> Comparison:
     """One pair of splines under its own wave generator and others, at a common w0 and each at the w0 tuned for it.
 
-    ``generators`` are kinds by name, tables, generators, or designs whose generator is meant; left out, every kind with
-    ``DEFAULT_PARAMETERS``. ``w0_mm`` is the common w0, by default the design's own. ``goal``, ``margin_um`` and
-    ``threads`` are those of ``tune``. Ctrl-C keeps the generators that are finished and marks the result as
-    interrupted. Raises ``DesignError`` where a profile or a generator's table cannot be.
+    ``generators`` are kinds by name, tables without w0, generators, or designs whose generator is meant; left out,
+    every kind with ``DEFAULT_PARAMETERS``. ``w0_mm`` is the common w0, by default the design's own; that of a generator
+    or of another design does not count. ``goal``, ``margin_um`` and ``threads`` are those of ``tune``. Ctrl-C keeps the
+    generators that are finished and marks the result as interrupted. Raises ``DesignError`` where a profile or a
+    generator's table cannot be; a generator that makes no gear has rows that say why.
     """
     if goal not in GOALS:
         raise StrainwaveError(f"the goal must be one of {', '.join(GOALS)}, not {goal!r}")
     base = design if w0_mm is None else design.replace(W0, w0_mm)
     designs = _distinct([base, *(with_generator(base, each) for each in generators or DEFAULT_PARAMETERS)])
+    labels = labels_of([each.wave_generator for each in designs])
     found: list[Contender] = []
     interrupted = False
     try:
-        for done, each in enumerate(designs):
-            found += list(_contenders(each, goal, threshold_um, margin_um, threads))
+        for done, (label, each) in enumerate(zip(labels, designs, strict=True)):
+            found += list(_contenders(label, each, goal, threshold_um, margin_um, threads))
             progress(done + 1, len(designs))
     except KeyboardInterrupt:
         if not found:
@@ -59,8 +62,10 @@ def _distinct(designs: Sequence[Design]) -> list[Design]:
     return [each for place, each in enumerate(designs) if each not in designs[:place]]
 
 
-def _contenders(design: Design, goal: Goal, threshold_um: float, margin_um: float, threads: int) -> Iterator[Contender]:
-    label, kind = label_of(design.wave_generator), design.wave_generator.kind
+def _contenders(
+    label: str, design: Design, goal: Goal, threshold_um: float, margin_um: float, threads: int
+) -> Iterator[Contender]:
+    kind = design.wave_generator.kind
     try:
         tuning = tune(design, threshold_um=threshold_um, margin_um=margin_um, threads=threads)
     except NoGearError as error:

@@ -18,6 +18,7 @@ class Contender:
     """A wave generator at the common w0, or at the w0 tuned for it."""
 
     label: str
+    """Tells the generator from all others of the comparison."""
     kind: str
     setting: Setting
     analysis: Analysis | None

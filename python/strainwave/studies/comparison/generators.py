@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from typing import Any
 
 from strainwave.design import Design
-from strainwave.errors import StrainwaveError
-from strainwave.wave_generators import DualDisk, FourRoller, WaveGenerator
+from strainwave.errors import DesignError, Fault, StrainwaveError
+from strainwave.wave_generators import WaveGenerator
 
 # What a kind has when only its name is given. The angles are those that fit the article's case study best; the article
 # prints none.
@@ -20,14 +20,15 @@ DEFAULT_PARAMETERS: dict[str, dict[str, float]] = {
 }
 
 Generator = str | Mapping[str, Any] | WaveGenerator | Design
-"""A kind by its name, a table as in a design file, a wave generator, or the design that has it."""
+"""A kind by its name, a table as in a design file but without w0, a wave generator, or the design that has it."""
 
 
 def with_generator(design: Design, generator: Generator) -> Design:
     """The design under another wave generator, w0 kept; a kind by its name has ``DEFAULT_PARAMETERS``.
 
-    What the generator leaves open, w0 and the neutral-curve model, is as the design has it. A name that is the kind of
-    the design's own generator stands for that one. ``DesignError`` where the table cannot be.
+    w0 stays that of the design, also where a generator or another design has one of its own; so does the neutral-curve
+    model where the generator leaves it open. A name that is the kind of the design's own generator stands for that one.
+    ``DesignError`` where a table cannot be, or has a w0.
     """
     own = design.wave_generator
     if isinstance(generator, str):
@@ -43,20 +44,10 @@ def with_generator(design: Design, generator: Generator) -> Design:
         table = generator.model_dump(exclude_none=True)
     else:
         table = dict(generator)
+        if "w0" in table:
+            remedy = "Leave it out, and set or vary wave_generator.w0 for all of them"
+            raise DesignError([Fault("wave_generator.w0", table["w0"], "mm", "is shared by all generators", remedy)])
     model = getattr(own, "neutral_curve", None)
     if model is not None and table.get("kind") != "ellipse":
         table.setdefault("neutral_curve", model)
     return design.replace("wave_generator", {**table, "w0": own.w0})
-
-
-def label_of(generator: WaveGenerator) -> str:
-    """The kind, with what tells it from others of its kind."""
-    if isinstance(generator, FourRoller):
-        return f"{generator.kind} {generator.roller_angle:g}°"
-    if isinstance(generator, DualDisk):
-        return (
-            f"{generator.kind} {generator.wrap_angle:g}°"
-            if generator.disk_radius is None
-            else f"{generator.kind} R {generator.disk_radius:g} mm"
-        )
-    return generator.kind

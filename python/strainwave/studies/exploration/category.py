@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from strainwave.design import Design, parameters_of
 from strainwave.errors import DesignError, Fault, StrainwaveError
-from strainwave.studies.comparison.generators import label_of, with_generator
-from strainwave.wave_generators import WaveGenerator
+from strainwave.studies.comparison.generators import with_generator
+from strainwave.studies.comparison.labels import labels_of
 
 
 @dataclass(frozen=True)
@@ -48,7 +47,7 @@ def base_designs(design: Design, generators: Sequence[Mapping[str, Any]]) -> dic
         found.append(base)
     if faults:
         raise DesignError(faults)
-    return dict(zip(_labels([base.wave_generator for base in found]), found, strict=True))
+    return dict(zip(labels_of([base.wave_generator for base in found], brief=True), found, strict=True))
 
 
 def places_of(design: Design, keys: Sequence[str]) -> tuple[int, ...]:
@@ -64,9 +63,6 @@ def places_of(design: Design, keys: Sequence[str]) -> tuple[int, ...]:
 
 
 def _under(design: Design, table: Mapping[str, Any]) -> Design:
-    if "w0" in table:
-        remedy = "Vary wave_generator.w0, or set it in the design"
-        raise DesignError([Fault("wave_generator.w0", table["w0"], "mm", "is shared by all generators", remedy)])
     kind = table.get("kind")
     return with_generator(design, kind if set(table) == {"kind"} and isinstance(kind, str) else table)
 
@@ -74,16 +70,3 @@ def _under(design: Design, table: Mapping[str, Any]) -> Design:
 def _moved(fault: Fault, where: str) -> Fault:
     key = fault.key.replace("wave_generator", where, 1) if fault.key.startswith("wave_generator") else where
     return Fault(key, fault.value, fault.unit, fault.problem, fault.remedy)
-
-
-def _labels(generators: Sequence[WaveGenerator]) -> list[str]:
-    """A kind by itself, or with its angle, or with its number among those of the same name."""
-    labels = [generator.kind for generator in generators]
-    for longer in ([label_of(generator) for generator in generators], None):
-        counts = Counter(labels)
-        taken: Counter[str] = Counter()
-        for place, label in enumerate(tuple(labels)):
-            if counts[label] > 1:
-                taken[label] += 1
-                labels[place] = longer[place] if longer else f"{label} {taken[label]}"
-    return labels

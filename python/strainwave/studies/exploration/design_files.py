@@ -14,6 +14,10 @@ if TYPE_CHECKING:
     from strainwave.studies.optimization.free_parameter import FreeParameter
 
 
+OWN_NAMES = ("design-N.toml",)
+"""What `design_files` calls them; N stands for a number."""
+
+
 def design_files(found: Selection) -> dict[str, str]:
     """The text of each design's file by name: ``design-01.toml`` and on, in the order of the selection."""
     digits = max(2, len(str(len(found))))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
@@ -14,8 +14,8 @@ from strainwave.studies.exploration.libraries import arrow
 from strainwave.studies.exploration.plan import Plan
 from strainwave.studies.exploration.requirements import (
     Wanted,
-    check_wanted,
     expression,
+    narrowed,
     objective_of,
     usual_objective,
     usual_requirements,
@@ -36,8 +36,8 @@ class Exploration:
     place: StudyFolder
     finished: tuple[int, ...]
     """The chunks that are there."""
-    wanted: Wanted = field(default_factory=dict)
-    """Which rows this is about, by column."""
+    wanted: Mapping[str, Any] = field(default_factory=dict)
+    """Which rows this is about: both ends by column, infinite where there is none, and labels under "generator"."""
 
     @classmethod
     def opened(cls, place: StudyFolder) -> Self:
@@ -71,13 +71,13 @@ class Exploration:
         return self.where(usual_requirements(self.plan))
 
     def where(self, wanted: Wanted) -> Self:
-        """The designs that also meet these requirements: (least, greatest) by column, None for an open end.
+        """The designs that also meet these requirements: (least, greatest) by column, None for an end left out.
 
-        Columns are parameters by dotted key and figures by name; "generator" takes a list of labels. A column replaces
-        what was wanted of it before. ``StrainwaveError`` where a column is none.
+        Columns are parameters by dotted key and figures by name; "generator" takes a list of labels. An end that is
+        given replaces what was wanted before, one left out keeps it, and an infinite one is none.
+        ``StrainwaveError`` where a column is none or nothing lies between its ends.
         """
-        check_wanted(self.plan, wanted)
-        return replace(self, wanted={**self.wanted, **wanted})
+        return replace(self, wanted=narrowed(self.plan, self.wanted, wanted))
 
     def batches(self, columns: Sequence[str] | None = None, *, progress: Progress = silent) -> Iterator[Any]:
         """The wanted rows in the order of the sequence as ``pyarrow.RecordBatch``, some columns or all of them."""

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from strainwave.analysis.record import SCHEMA_VERSION
+from strainwave.analysis.record import SCHEMA_VERSION, finite
 from strainwave.batch.statuses import OK
+from strainwave.studies.exploration.rows import GENERATOR
 
 if TYPE_CHECKING:
     from strainwave.studies.exploration.summary import Spread, Summary
@@ -41,7 +42,10 @@ def summary_record(found: Summary) -> dict[str, Any]:
             }
             for label, counts in found.statuses.items()
         ],
-        "wanted": {name: list(what) for name, what in exploration.wanted.items()},
+        "wanted": {
+            name: list(what) if name == GENERATOR else [finite(end) for end in what]
+            for name, what in exploration.wanted.items()
+        },
         "spreads": {name: _spread(spread) for name, spread in found.spreads.items()},
         "objective": found.objective,
         "best": found.best.rows,

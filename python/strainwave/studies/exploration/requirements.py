@@ -4,24 +4,24 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from typing import Any, get_args
+from typing import Any, cast, get_args
 
 from strainwave.errors import StrainwaveError
+from strainwave.studies.ends import OPEN, Bounds, Ends, bounds_of
 from strainwave.studies.exploration.libraries import arrow
 from strainwave.studies.exploration.plan import Plan
 from strainwave.studies.exploration.rows import GENERATOR, SAMPLE
 from strainwave.studies.optimization.figure import FIGURES, Direction
 
-Ends = tuple[float | None, float | None]
 Wanted = Mapping[str, Ends | Sequence[str]]
-"""The least and the greatest value by column, None for an open end; under "generator" the labels that are wanted."""
+"""The least and the greatest value by column, None for an end left out; under "generator" the labels."""
 
 
-def usual_requirements(plan: Plan) -> dict[str, Ends]:
+def usual_requirements(plan: Plan) -> dict[str, Bounds]:
     """No interference that the study knows of: teeth in motion or at angle 0, and tips clear of roots."""
     least = "min_in_motion_um" if plan.in_motion else "min_backlash_um"
     clear = [name for name in ("tip_clearance_um", "root_clearance_um") if name in plan.columns]
-    return dict.fromkeys((least, *clear), (0.0, None))
+    return dict.fromkeys((least, *clear), (0.0, math.inf))
 
 
 def usual_objective(plan: Plan) -> str:
@@ -29,24 +29,28 @@ def usual_objective(plan: Plan) -> str:
     return "teeth_below_per_side" if "teeth_below_per_side" in plan.columns else "min_backlash_um"
 
 
-def check_wanted(plan: Plan, wanted: Wanted) -> None:
-    """``StrainwaveError`` where a column or a generator is none of the study, or a range holds nothing."""
+def narrowed(plan: Plan, before: Wanted, wanted: Wanted) -> dict[str, Any]:
+    """What was wanted before with what is wanted now, which replaces the ends that it gives and the generators.
+
+    ``StrainwaveError`` where a column or a generator is none of the study, or nothing lies between the ends.
+    """
     labels = [category.label for category in plan.categories]
+    found: dict[str, Any] = dict(before)
     for name, what in wanted.items():
         if name == GENERATOR:
             unknown = [label for label in what if label not in labels]
             if unknown or isinstance(what, str):
                 raise StrainwaveError(f"generator: must be among {', '.join(labels)}, not {what!r}")
-            continue
-        check_column(plan, name)
-        low, high = (math.nan if end is None else float(end) for end in what if not isinstance(end, str))
-        if low > high:
-            raise StrainwaveError(f"{name}: no value lies from {low:g} to {high:g}; give the lower end first")
+            found[name] = list(what)
+        else:
+            check_column(plan, name)
+            found[name] = bounds_of(name, cast(Ends, what), found.get(name, OPEN))
+    return found
 
 
 def check_report(plan: Plan, wanted: Wanted, objective: str | None) -> None:
     """``StrainwaveError`` where a summary of a plan's study could not be made."""
-    check_wanted(plan, wanted)
+    narrowed(plan, usual_requirements(plan), wanted)
     objective_of(plan, objective or usual_objective(plan))
 
 
@@ -57,7 +61,7 @@ def check_column(plan: Plan, name: str) -> None:
         raise StrainwaveError(f"{name!r} is no column of numbers of the study: choose from {', '.join(known)}")
 
 
-def expression(wanted: Wanted) -> Any:
+def expression(wanted: Mapping[str, Any]) -> Any:
     """The filter of a dataset; None where everything is wanted. A row without a value does not meet a range of it."""
     field = arrow("compute").field
     parts = []
@@ -66,8 +70,8 @@ def expression(wanted: Wanted) -> Any:
             parts.append(field(name).cast("string").isin(list(what)))
             continue
         low, high = what
-        parts.extend([field(name) >= low] if low is not None else [])
-        parts.extend([field(name) <= high] if high is not None else [])
+        parts.extend([field(name) >= low] if low > -math.inf else [])
+        parts.extend([field(name) <= high] if high < math.inf else [])
     found = None
     for part in parts:
         found = part if found is None else found & part

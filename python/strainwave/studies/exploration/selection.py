@@ -60,11 +60,14 @@ class Selection:
         write_whole(Path(path), text.getvalue(), overwrite=overwrite)
 
     def save(self, folder: str | Path, *, overwrite: bool = False) -> tuple[Path, ...]:
-        """Write a design file for each design into a new folder, all or none; returns their paths."""
-        from strainwave.studies.exploration.design_files import design_files
+        """Write a design file for each design into a new folder, all or none; returns their paths.
+
+        With ``overwrite`` also in place of a folder that holds only such files. ``StrainwaveError`` where it cannot be.
+        """
+        from strainwave.studies.exploration.design_files import OWN_NAMES, design_files
         from strainwave.whole_folder import write_whole_folder
 
-        return write_whole_folder(Path(folder), design_files(self), overwrite=overwrite)
+        return write_whole_folder(Path(folder), design_files(self), OWN_NAMES, overwrite=overwrite)
 
     def __repr__(self) -> str:
         return f"<Selection of {self.plan.design.name!r}: {len(self)} designs>"

@@ -111,7 +111,7 @@ class Summary:
         self.best.to_csv(path, overwrite=overwrite)
 
     def save(self, folder: str | Path, *, overwrite: bool = False) -> tuple[Path, ...]:
-        """Write a design file for each of the best designs into a new folder; returns their paths."""
+        """Write a design file for each of the best designs into a new folder, as ``Selection.save`` does."""
         return self.best.save(folder, overwrite=overwrite)
 
     def plot(self) -> Figure:

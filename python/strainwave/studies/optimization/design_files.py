@@ -12,6 +12,10 @@ if TYPE_CHECKING:
     from strainwave.studies.optimization.optimization import Optimization
 
 
+OWN_NAMES = ("best.toml", "front-N.toml")
+"""What `design_files` calls them; N stands for a number."""
+
+
 def design_files(found: Optimization) -> dict[str, str]:
     """The text of each design's file by name: ``best.toml``, or ``front-01.toml`` and on."""
     digits = len(str(len(found)))

@@ -11,10 +11,11 @@ import numpy as np
 
 from strainwave.columns import Floats
 from strainwave.errors import StrainwaveError
+from strainwave.studies.ends import OPEN, Bounds, Ends, bounds_of
 from strainwave.studies.optimization.figure import Direction, Figure, figure_named
 
-# What holds unless a requirement says otherwise: no interference at any generator angle, tips clear of roots.
-ALWAYS_REQUIRED = {"minimum-backlash": (0.0, math.inf), "tip-clearance": (0.0, math.inf)}
+# No interference at any generator angle, tips clear of roots; an end holds unless a requirement gives another.
+ALWAYS_REQUIRED: dict[str, Bounds] = {"minimum-backlash": (0.0, math.inf), "tip-clearance": (0.0, math.inf)}
 
 # A requirement whose figure a row does not have counts as missed by so many steps: more than one that is known.
 UNKNOWN_STEPS = 1e3
@@ -85,20 +86,15 @@ def objectives_named(names: Iterable[str]) -> tuple[Objective, ...]:
     return found
 
 
-def requirements_of(ranges: Mapping[str, tuple[float | None, float | None]]) -> tuple[Requirement, ...]:
-    """The requirements, with those of ``ALWAYS_REQUIRED`` that ``ranges`` does not replace; open ranges are none."""
+def requirements_of(ranges: Mapping[str, Ends]) -> tuple[Requirement, ...]:
+    """The requirements with those of ``ALWAYS_REQUIRED``, whose ends stay where ``ranges`` leaves them out.
+
+    A range without ends is none. ``StrainwaveError`` where nothing lies in one.
+    """
     given = {
-        name: (-math.inf if low is None else low, math.inf if high is None else high)
-        for name, (low, high) in ranges.items()
+        name: bounds_of(name, ends, ALWAYS_REQUIRED.get(name, OPEN), figure_named(name).unit)
+        for name, ends in ranges.items()
     }
-    for name, (low, high) in given.items():
-        figure = figure_named(name)
-        if not low <= high:
-            raise StrainwaveError(
-                f"{name} must lie from {low:g} to {high:g} {figure.unit}, which nothing does; give the lower end first"
-            )
     return tuple(
-        Requirement(figure_named(name), *ends)
-        for name, ends in (ALWAYS_REQUIRED | given).items()
-        if ends != (-math.inf, math.inf)
+        Requirement(figure_named(name), *ends) for name, ends in (ALWAYS_REQUIRED | given).items() if ends != OPEN
     )

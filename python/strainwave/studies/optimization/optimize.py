@@ -11,6 +11,7 @@ from strainwave.batch.evaluate import check_numbers
 from strainwave.columns import Floats
 from strainwave.design import Design
 from strainwave.errors import StrainwaveError
+from strainwave.studies.ends import Ends
 from strainwave.studies.optimization.budget import Budget
 from strainwave.studies.optimization.figure import FIGURES
 from strainwave.studies.optimization.free_parameter import free_parameters
@@ -29,7 +30,7 @@ def optimize(
     design: Design,
     vary: Mapping[str, tuple[End, End]],
     objectives: Sequence[str] = ("teeth-below",),
-    require: Mapping[str, tuple[float | None, float | None]] | None = None,
+    require: Mapping[str, Ends] | None = None,
     *,
     threshold_um: float = 10.0,
     population: int = 64,
@@ -42,10 +43,11 @@ def optimize(
 
     ``vary`` frees numbers by dotted key, each from a lower to an upper end: ``{"wave_generator.w0": (0.80, 0.90)}``,
     angles in degrees or as text. ``objectives`` name figures of ``FIGURES``, each better in its usual direction, or as
-    ``"play=max"`` says. ``require`` keeps figures in ranges (None leaves an end open); left out, no interference in
-    motion and a positive tip clearance are required. ``threshold_um`` is what counts as nearly touching. The same
-    ``seed`` gives the same result on any number of ``threads`` (0: all cores). ``report`` is called after every
-    generation. Ctrl-C ends the search and keeps the best so far.
+    ``"play=max"`` says. ``require`` keeps figures in ranges, None for an end left out. No interference in motion and
+    a positive tip clearance are required too: their lower end, 0, stays unless another is given, ``-math.inf`` for
+    none. ``threshold_um`` is what counts as nearly touching. The same ``seed`` gives the same result on any number of
+    ``threads`` (0: all cores). ``report`` is called after every generation. Ctrl-C ends the search and keeps the best
+    so far.
 
     Raises ``StrainwaveError`` where the question is wrong, or no design in the ranges meets the requirements. Several
     objectives need pymoo (extra ``opt``).

@@ -8,7 +8,7 @@ import math
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from strainwave.analysis.record import SCHEMA_VERSION
+from strainwave.analysis.record import SCHEMA_VERSION, finite
 from strainwave.studies.optimization.figure import FIGURES
 
 if TYPE_CHECKING:
@@ -40,8 +40,8 @@ def optimization_record(found: Optimization) -> dict[str, Any]:
             {
                 "figure": requirement.figure.name,
                 "key": requirement.figure.key,
-                "low": _finite(requirement.low),
-                "high": _finite(requirement.high),
+                "low": finite(requirement.low),
+                "high": finite(requirement.high),
             }
             for requirement in problem.requirements
         ],
@@ -78,7 +78,3 @@ def _plain(value: float, digits: int) -> float | int | None:
     if not math.isfinite(value):
         return None
     return value if digits else int(value)
-
-
-def _finite(value: float) -> float | None:
-    return value if math.isfinite(value) else None

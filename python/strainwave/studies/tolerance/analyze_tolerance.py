@@ -85,7 +85,8 @@ def analyze_tolerance(
 
 def _nominal(design: Design, parameters: tuple[Toleranced, ...], threads: int) -> Responses:
     values = np.array([[parameter.nominal for parameter in parameters]])
-    return Responses.of(design, parameters, values, threads)
+    # Of one row the minimum in motion is sought however deep it is.
+    return Responses.of(design, parameters, values, threads, deep_um=np.inf)
 
 
 def _power_of_two(name: str, count: int, greatest: int) -> int:

@@ -31,8 +31,8 @@ def tune(
 
     The windows are searched in steps of at most 1 um, so narrower ones may be missed; their ends are bracketed to 1e-6
     mm with certified minima. ``margin_um`` is the least minimum in motion that a chosen w0 has. ``threads`` limits the
-    cores used; results do not depend on it. Raises ``DesignError`` where the design has no geometry whatever its w0,
-    ``StrainwaveError`` where no w0 of the range makes a gear, or a number is wrong.
+    cores used; results do not depend on it. Raises ``DesignError`` where a profile cannot be, ``StrainwaveError`` where
+    no w0 of the range makes a gear, or a number is wrong.
     """
     if not (math.isfinite(margin_um) and margin_um >= 0.0):
         raise StrainwaveError(f"the margin must be a number of micrometres from 0, not {margin_um:g}")

@@ -56,7 +56,8 @@ class W0Scan:
 
     @classmethod
     def of(cls, design: Design, threshold_um: float, *, threads: int = 0, progress: Progress = silent) -> Self:
-        """Scan the whole range of w0. ``DesignError`` or ``NoGearError`` where none of it makes a gear."""
+        """Scan the whole range of w0. ``DesignError`` where a profile cannot be, ``NoGearError`` where no w0 makes a
+        gear."""
         first, last = LEAST_MODULES * design.module, GREATEST_MODULES * design.module
         w0 = np.round(np.linspace(first, last, math.ceil((last - first) / STEP_MM - 1e-9) + 1), DECIMALS)
         parts = []
@@ -91,9 +92,17 @@ class W0Scan:
 
 
 def _no_gear(design: Design, first: float, last: float, status: NDArray[np.str_]) -> NoGearError:
-    """What to raise where no row is a gear; ``DesignError`` where that is not for its w0 alone."""
-    Geometry.of(design)
-    return NoGearError(f"no w0 from {first:g} to {last:g} mm makes a gear ({', '.join(sorted(set(status.tolist())))})")
+    """What to raise where no row is a gear; ``DesignError`` where that is a profile's fault."""
+    try:
+        Geometry.of(design)
+    except DesignError as error:
+        # The design's own w0 is no more to blame than any other.
+        if any(not fault.key.startswith("wave_generator.") for fault in error.faults):
+            raise
+    reasons = ", ".join(sorted(set(status.tolist())))
+    return NoGearError(
+        f"no w0 from {first:g} to {last:g} mm makes a gear ({reasons}); change the wave generator's other numbers"
+    )
 
 
 def _in_motion(design: Design, w0: Floats, at_angle_0: Floats, threads: int) -> tuple[Floats, Floats]:

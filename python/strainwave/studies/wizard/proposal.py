@@ -11,7 +11,7 @@ from strainwave.analysis import Analysis
 from strainwave.analysis.rim_strain import peak_bending_strain
 from strainwave.design import Design, dumps
 from strainwave.studies.wizard.proportions import PROFILES, TOOTH_DIFFERENCE
-from strainwave.studies.wizard.request import Request
+from strainwave.studies.wizard.request import USUAL_GENERATORS, Request
 from strainwave.studies.wizard.search import Aim
 from strainwave.units import MICROMETRES_PER_MM
 
@@ -21,6 +21,7 @@ FITTED_ANGLES = {
     "dual-disk": "wrap angle 13°, fitted to the article's case study",
 }
 COMMENT: dict[str, Any] = {"width": 118, "subsequent_indent": "#     ", "break_long_words": False}
+PURPOSES = {"power": "power transmission", "precision": "precision positioning"}
 WHY_USE = {
     "power": "most teeth close to the tightest, then the most even gaps",
     "precision": "the tightest tooth nearest to the major axis, then the most teeth close to it",
@@ -78,11 +79,7 @@ class Proposal:
             f"the article's share of the pitch diameter; greatest bending strain of the rim {1e6 * strain:.0f} ppm",
         )
         yield Reason("profiles", request.profile, str(PROFILES[request.profile]["source"]))
-        usual = "the article's choice for power transmission" if request.generator == "cosine" else "as asked"
-        if request.generator == "dual-disk" and request.use == "precision":
-            usual = "the article's choice for precision positioning"
-        why = FITTED_ANGLES.get(request.generator, usual)
-        yield Reason("wave generator", generator.kind, why)
+        yield Reason("wave generator", generator.kind, _why_generator(request))
         yield Reason(
             "neutral curve",
             found.figures.neutral_curve.model,
@@ -101,3 +98,10 @@ class Proposal:
 
     def __repr__(self) -> str:
         return f"<Proposal {self.design.name!r}: {self.analysis.verdict}>"
+
+
+def _why_generator(request: Request) -> str:
+    is_usual = request.generator == USUAL_GENERATORS[request.use]
+    why = f"the article's choice for {PURPOSES[request.use]}" if is_usual else "as asked"
+    fitted = FITTED_ANGLES.get(request.generator)
+    return f"{why}; {fitted}" if fitted else why
