@@ -28,12 +28,15 @@ class TomlFile:
 
     def text(self, source: str) -> str:
         """The text of the file at the path `source`. DesignError says why it cannot be read."""
+        return self.decoded(self.content(source), source)
+
+    def content(self, source: str) -> bytes:
+        """The bytes of the file, or one more than are allowed. DesignError says why it cannot be read."""
         try:
             with Path(source).open("rb") as file:
-                content = file.read(LARGEST_FILE_BYTES + 1)
+                return file.read(LARGEST_FILE_BYTES + 1)
         except (OSError, ValueError) as error:  # ValueError: a path with a null character
             raise DesignError([Fault("", problem=self._why_unreadable(error))], source) from None
-        return self.decoded(content, source)
 
     def decoded(self, content: bytes, source: str) -> str:
         """The text in the bytes of a file. DesignError where it is too large, or no text."""

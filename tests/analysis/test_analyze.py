@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from strainwave.analysis import Analysis, analyze
+from strainwave.analysis.analyze import counted_below
 from strainwave.design import Design
 from strainwave.errors import DesignError, StrainwaveError
 from strainwave.geometry import Geometry
@@ -149,6 +150,12 @@ def test_the_threshold_is_exclusive_above_and_zero_inclusive_below() -> None:
     assert above.teeth_below.per_side == below.teeth_below.per_side + 1
 
 
+def test_counting_below_another_threshold_is_analysing_with_it(result: Analysis) -> None:
+    for threshold_um in (0.5, 3.0, 20.0):
+        anew = analyze(result.design, threshold_um=threshold_um)
+        assert counted_below(result, threshold_um).as_dict() == anew.as_dict()
+
+
 def test_thickness_where_the_tip_arc_ends_is_that_of_its_formula() -> None:
     """S_l* = 2 (rho_a* cos C - lambda_a*): the article prints 1.3565 and 1.7504."""
     figures = analyze(case()).figures
@@ -231,6 +238,8 @@ def test_teeth_that_no_turn_frees_are_told_of_for_the_play_leaves_them_out() -> 
 def test_a_threshold_that_counts_nothing_is_an_error(threshold_um: float) -> None:
     with pytest.raises(StrainwaveError, match="positive number of micrometres"):
         analyze(case(), threshold_um=threshold_um)
+    with pytest.raises(StrainwaveError, match="positive number of micrometres"):
+        counted_below(analyze(case()), threshold_um)
 
 
 @pytest.mark.parametrize("angle_deg", [math.nan, math.inf])

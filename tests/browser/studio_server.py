@@ -31,10 +31,11 @@ class StudioServer:
         return cls.serving(log, COMMAND, "studio", *arguments, "--port", "0", "--no-browser")
 
     @classmethod
-    def serving(cls, log: Path, *command: object) -> StudioServer:
-        """Run a program that serves a studio and prints its address, and wait for that."""
+    def serving(cls, log: Path, *command: object, folder: Path | None = None) -> StudioServer:
+        """Run a program, in a folder, that serves a studio and prints its address, and wait for that."""
         with log.open("wb") as output:
-            process = subprocess.Popen([str(part) for part in command], stdout=output, stderr=subprocess.STDOUT)
+            words = [str(part) for part in command]
+            process = subprocess.Popen(words, stdout=output, stderr=subprocess.STDOUT, cwd=folder)
         until = time.monotonic() + LONGEST_START_S
         while time.monotonic() < until and process.poll() is None:
             if found := re.search(r"http://\S+", log.read_text(encoding="utf-8")):

@@ -123,6 +123,29 @@ def test_hidden_bodies_and_the_eye_stay_while_the_detail_changes(open_studio: Op
     assert not studio.page.get_by_label("circular spline, a quarter cut away").is_checked()
 
 
+def test_a_picture_that_was_lost_is_there_again_with_the_tab(open_studio: OpenStudio) -> None:
+    """A context is lost as where too many are open, or the graphics card is reset."""
+    studio = open_studio(webgl=True)
+    opened(studio, "3D")
+    drawn_gear(studio)
+    before = share(seen(studio), RING)
+    lose = "document.querySelector('.space-picture canvas').getContext('webgl').getExtension('WEBGL_lose_context')"
+    studio.run(f"{lose}.loseContext()")
+    problem = studio.page.get_by_text("The browser has taken the picture's memory away")
+    problem.wait_for()
+    # Plotly, which waits for the context to come back, stumbles when its picture is taken away.
+    studio.page.wait_for_timeout(1000)
+    studio.complaints[:] = [each for each in studio.complaints if "reading 'gl'" not in each]
+    assert not studio.page.locator(".space-picture").is_visible()
+    opened(studio, "Gear")
+    problem.wait_for(state="hidden")
+    opened(studio, "3D")
+    studio.page.locator(".space-picture canvas").wait_for()
+    studio.page.wait_for_timeout(1500)  # SwiftShader draws some frames later
+    assert problem.count() == 0
+    assert share(seen(studio), RING) == pytest.approx(before, rel=0.05)
+
+
 def test_without_webgl_a_sentence_stands_in_the_picture_s_place(open_studio: OpenStudio) -> None:
     studio = open_studio(webgl=True)
     studio.run("""() => {

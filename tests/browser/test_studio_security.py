@@ -87,31 +87,46 @@ def test_a_link_that_unpacks_to_gigabytes_is_refused(open_studio: OpenStudio) ->
     assert "larger than 1 MB" in studio.page.locator("[role=dialog]").first.inner_text()
 
 
-@pytest.fixture
-def foreign(studio_server: StudioServer) -> Iterator[str]:
-    """The address of another site's page."""
+@pytest.fixture(scope="module")
+def foreign() -> Iterator[str]:
+    """The address of another site's page, to which that of a studio is added."""
 
     class Site(BaseHTTPRequestHandler):
         def do_GET(self) -> None:
             self.send_response(200)
             self.end_headers()
-            self.wfile.write(FOREIGN.replace("STUDIO", studio_server.address).encode())
+            self.wfile.write(FOREIGN.replace("STUDIO", self.path.partition("?")[2]).encode())
 
         def log_message(self, *_: object) -> None:
             pass
 
     with ThreadingHTTPServer(("127.0.0.1", 0), Site) as server:
         threading.Thread(target=server.serve_forever, daemon=True).start()
-        yield f"http://127.0.0.1:{server.server_port}/"
+        yield f"http://127.0.0.1:{server.server_port}/?"
         server.shutdown()
 
 
+@pytest.fixture(scope="module")
+def closed_server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[StudioServer]:
+    """A studio that asks for a token, which its address holds."""
+    log = tmp_path_factory.mktemp("closed") / "log.txt"
+    server = StudioServer.started(log, "--token", "a-token-of-the-user")
+    yield server
+    server.ended()
+
+
 @pytest.mark.parametrize("name", ["127.0.0.1", "localhost"])
-def test_pages_of_other_sites_cannot_drive_the_studio(plain_chromium: Browser, foreign: str, name: str) -> None:
-    """Another port is another site to the studio, though browsers call it the same one."""
+@pytest.mark.parametrize("asks", ["studio_server", "closed_server"])
+def test_pages_of_other_sites_cannot_drive_the_studio(
+    plain_chromium: Browser, foreign: str, asks: str, name: str, request: pytest.FixtureRequest
+) -> None:
+    """Another port is another site to the studio, though browsers call it the same one; also with its cookie."""
+    address: str = request.getfixturevalue(asks).address
     page = plain_chromium.new_page()
     try:
-        page.goto(foreign.replace("127.0.0.1", name))
+        page.goto(address)
+        page.wait_for_selector(".studio")
+        page.goto(foreign.replace("127.0.0.1", name) + address.partition("?")[0])
         page.wait_for_function("document.title !== ''")
         assert page.title() == "post: sent,read: refused,script: refused,socket: refused"
         frame = page.frames[1]
@@ -120,13 +135,20 @@ def test_pages_of_other_sites_cannot_drive_the_studio(plain_chromium: Browser, f
         page.close()
 
 
+@pytest.mark.parametrize("name", ["127.0.0.1", "localhost"])
+@pytest.mark.parametrize("asks", ["studio_server", "closed_server"])
 def test_a_link_from_another_site_is_followed(
-    plain_chromium: Browser, foreign: str, studio_server: StudioServer
+    plain_chromium: Browser, foreign: str, asks: str, name: str, request: pytest.FixtureRequest
 ) -> None:
+    """Such as one in a mail that is read in the browser; then one to a design, without the token."""
+    address: str = request.getfixturevalue(asks).address
+    design = case("four-roller")
     page = plain_chromium.new_page()
     try:
-        page.goto(foreign)
-        page.evaluate("(address) => { window.location.href = address }", studio_server.address)
-        page.wait_for_selector(".studio")
+        for link, title in ((address, ""), (f"{address.partition('?')[0]}?design={design_code(design)}", design.title)):
+            page.goto(foreign.replace("127.0.0.1", name))
+            page.evaluate("(link) => { window.location.href = link }", link)
+            page.wait_for_selector(".studio")
+            page.wait_for_function("(title) => document.title.startsWith(title)", arg=title)
     finally:
         page.close()

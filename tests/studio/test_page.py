@@ -7,10 +7,12 @@ from html import escape
 from nicegui import ui
 from nicegui.testing import User
 
+from strainwave.design import dumps
 from strainwave.studio.header.address import Address
+from strainwave.studio.header.design_file import DesignFile
 from strainwave.studio.link import design_code
 from strainwave.studio.page import STYLES, TABS, build_page
-from tests.designs import case
+from tests.designs import CASE_STUDY, case
 from tests.studio.conftest import Visit
 from tests.studio.waiting import one
 
@@ -38,6 +40,27 @@ def test_each_window_has_the_design_of_its_own_address(visit: Visit) -> None:
         assert second.props["parameters"]["design"] == design_code(case("four-roller"))
 
     visit(lambda: build_page(case()), steps)
+
+
+def test_the_studios_file_is_saved_as_it_is_wherever_its_design_is_shown(visit: Visit) -> None:
+    """Not where a link has brought another one."""
+    content = (CASE_STUDY / "cosine.toml").read_bytes()
+    other = case().replace("wave_generator.w0", 0.86)
+    links = {
+        "": content,
+        f"?design={design_code(case())}": content,
+        "?design=garbage": content,
+        f"?design={design_code(other)}": dumps(other).encode(),
+    }
+
+    async def steps(user: User) -> None:
+        for link, expected in links.items():
+            await user.open(f"/{link}")
+            user.find(marker="save").click()
+            response = await user.download.next()
+            assert hash(response.content) == hash(expected), link
+
+    visit(lambda: build_page(case(), DesignFile.opened("my gear.toml", content)), steps)
 
 
 def test_a_broken_link_is_said_once_and_the_studios_design_shown(visit: Visit) -> None:

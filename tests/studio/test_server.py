@@ -21,7 +21,7 @@ PROGRAM = """
 from nicegui import ui
 from strainwave.design import load
 from strainwave.studio import server
-async def build_page(design):
+async def build_page(design, file):
     {body}
 server.build_page = build_page
 server.run_studio(load({design!r}), port=0, started=lambda address: print(address, flush=True))

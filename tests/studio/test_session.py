@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 from collections.abc import Callable, Coroutine
+from threading import Event
 from typing import Any
 
 import pytest
@@ -14,6 +15,7 @@ from strainwave.errors import StrainwaveError
 from strainwave.studio import session as session_module
 from strainwave.studio.session import Session
 from tests.designs import case
+from tests.studio.waiting import LONGEST_S, until
 
 W0 = "wave_generator.w0"
 
@@ -218,7 +220,7 @@ def test_another_threshold_counts_other_teeth_in_the_reference_too() -> None:
         await session.change({W0: 0.86})
         session.pin()
         steps_back = session.history.can_redo
-        await session.count_below(3.0)
+        session.count_below(3.0)
         alone = analyze(session.design, threshold_um=3.0)
         assert session.pinned is not None
         for found in (session.analysis, session.pinned):
@@ -229,15 +231,67 @@ def test_another_threshold_counts_other_teeth_in_the_reference_too() -> None:
         assert session.analysis.threshold_um == 3.0
         session.unpin()
         with pytest.raises(StrainwaveError):
-            await session.count_below(-1.0)
+            session.count_below(-1.0)
         assert session.threshold_um == 3.0
+
+    running(steps)
+
+
+def test_a_threshold_counts_the_shown_design_whatever_is_wrong_with_the_draft() -> None:
+    async def steps(session: Session, heard: Heard) -> None:
+        await session.change({W0: 0.86})
+        session.pin()
+        await session.change({W0: -3.0})
+        faults, draft, judged = session.faults, session.draft, heard.counts["judged"]
+        session.count_below(3.0)
+        alone = analyze(case().replace(W0, 0.86), threshold_um=3.0)
+        assert alone.teeth_below != analyze(alone.design).teeth_below
+        assert session.analysis.as_dict() == alone.as_dict()
+        assert session.pinned is not None
+        assert session.pinned.as_dict() == alone.as_dict()
+        assert (session.faults, session.draft, heard.counts["judged"]) == (faults, draft, judged)
+        assert heard.shown == [0.86, 0.86]
+        assert not session.history.can_redo
+
+    running(steps)
+
+
+def test_what_is_being_analysed_is_counted_below_the_threshold_that_came_meanwhile(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Whether it is pinned before or after; and of several thresholds the last holds everywhere."""
+    begun, ended = Event(), Event()
+
+    def slow(design: Design, *, threshold_um: float) -> Analysis:
+        begun.set()
+        assert ended.wait(LONGEST_S)
+        return analyze(design, threshold_um=threshold_um)
+
+    async def steps(session: Session, heard: Heard) -> None:
+        session.pin()
+        monkeypatch.setattr(session_module, "analyze", slow)
+        change = asyncio.create_task(session.change({W0: 0.86}))
+        await until(begun.is_set)
+        for threshold_um in (11.0, 12.0, 3.0):
+            session.count_below(threshold_um)
+        ended.set()
+        await change
+        assert heard.shown[-1] == 0.86
+        assert session.pinned is not None
+        for found in (session.analysis, session.pinned):
+            assert found.as_dict() == analyze(found.design, threshold_um=3.0).as_dict()
+        session.pin()
+        assert session.pinned.threshold_um == session.threshold_um == 3.0
 
     running(steps)
 
 
 def test_a_threshold_that_comes_with_a_change_loses_no_step() -> None:
     async def steps(session: Session, _: Heard) -> None:
-        await asyncio.gather(session.change({W0: 0.86}), session.change({W0: 0.87}), session.count_below(3.0))
+        changes = [asyncio.create_task(session.change({W0: w0})) for w0 in (0.86, 0.87)]
+        await asyncio.sleep(0)
+        session.count_below(3.0)
+        await asyncio.gather(*changes)
         await session.settled()
         assert session.design.wave_generator.w0 == 0.87
         assert session.analysis.threshold_um == 3.0

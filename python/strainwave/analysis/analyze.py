@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from functools import partial
 
 import numpy as np
@@ -62,7 +63,7 @@ def analyze(design: Design, *, threshold_um: float = 10.0, generator_angle_deg: 
         min_tooth=int(drive[least_place]),
         in_motion=in_motion,
         witness_in_motion=Witnesses.of(engagement.clearances(np.array([in_motion.index])), geometry),
-        teeth_below=ToothCount.at_angle_0(curve, partial(nearly_touching, threshold_um=threshold_um)),
+        teeth_below=_teeth_below(curve, threshold_um),
         teeth_interfering=ToothCount.at_angle_0(curve, interfering),
         interfering_teeth=teeth.tooth[overlap],
         first_interfering_tooth=_first(teeth.tooth[overlap], teeth.index[overlap]),
@@ -73,12 +74,29 @@ def analyze(design: Design, *, threshold_um: float = 10.0, generator_angle_deg: 
     )
 
 
+def counted_below(analysis: Analysis, threshold_um: float) -> Analysis:
+    """The analysis with another threshold, as ``analyze`` would give it, in a fraction of the time.
+
+    ``StrainwaveError`` where the threshold is not positive.
+    """
+    _check_threshold(threshold_um)
+    return replace(analysis, threshold_um=threshold_um, teeth_below=_teeth_below(analysis.gap_curve, threshold_um))
+
+
+def _teeth_below(curve: GapCurve, threshold_um: float) -> ToothCount:
+    return ToothCount.at_angle_0(curve, partial(nearly_touching, threshold_um=threshold_um))
+
+
 def _check_arguments(threshold_um: float, generator_angle_deg: float) -> None:
-    if not (math.isfinite(threshold_um) and threshold_um > 0.0):
-        raise StrainwaveError(f"the threshold must be a positive number of micrometres, not {threshold_um:g}")
+    _check_threshold(threshold_um)
     if not abs(generator_angle_deg) <= GREATEST_ANGLE_DEG:
         allowed = f"from -{GREATEST_ANGLE_DEG:.0f} to {GREATEST_ANGLE_DEG:.0f} degrees"
         raise StrainwaveError(f"the generator angle must be {allowed}, not {generator_angle_deg:g}")
+
+
+def _check_threshold(threshold_um: float) -> None:
+    if not (math.isfinite(threshold_um) and threshold_um > 0.0):
+        raise StrainwaveError(f"the threshold must be a positive number of micrometres, not {threshold_um:g}")
 
 
 def _nearest_to_axis(index: NDArray[np.float64], gap_um: NDArray[np.float64] | None = None) -> int:

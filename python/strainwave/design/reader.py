@@ -7,19 +7,23 @@ import os
 from strainwave.design.design import Design
 from strainwave.toml_file import LARGEST_FILE_BYTES, TomlFile
 
-__all__ = ["LARGEST_FILE_BYTES", "decode", "load", "loads"]
+__all__ = ["LARGEST_FILE_BYTES", "decode", "load", "loads", "read"]
 
 _FILE = TomlFile("design file", "design", "Start from the template that `strainwave new` writes")
 
 
 def load(path: str | os.PathLike[str]) -> Design:
     """The design in a TOML file. DesignError names every fault in it, or why it cannot be read."""
-    source = os.fspath(path)
-    return loads(_FILE.text(source), source)
+    return decode(read(path), os.fspath(path))
+
+
+def read(path: str | os.PathLike[str]) -> bytes:
+    """The bytes of a TOML file, for `decode`. DesignError says why it cannot be read."""
+    return _FILE.content(os.fspath(path))
 
 
 def decode(content: bytes, source: str) -> Design:
-    """The design in the bytes of a TOML file that came without a path. DesignError names every fault, and `source`."""
+    """The design in the bytes of a TOML file. DesignError names every fault, and `source`."""
     return loads(_FILE.decoded(content, source), source)
 
 

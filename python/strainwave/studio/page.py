@@ -12,6 +12,7 @@ from strainwave.studio.figures.figures import figures_panel
 from strainwave.studio.form.form import design_form
 from strainwave.studio.gear.gear_view import gear_tab
 from strainwave.studio.header.address import title_of
+from strainwave.studio.header.design_file import DesignFile
 from strainwave.studio.header.header import header
 from strainwave.studio.header.theme import EARLY_THEME
 from strainwave.studio.session import Session
@@ -46,8 +47,8 @@ TABS = (
 )
 
 
-async def build_page(design: Design) -> Session:
-    """Everything on one page, for a session of its own: the design of the page's address, or `design`."""
+async def build_page(design: Design, file: DesignFile | None = None) -> Session:
+    """Everything on one page, for a session of its own: the design of the page's address, or `design`, of that file."""
     session, broken_link = await asyncio.to_thread(started, design, ui.context.client.request.query_params)
     ui.context.client.on_delete(session.close)
     ui.page_title(title_of(session))
@@ -55,7 +56,7 @@ async def build_page(design: Design) -> Session:
     for style in STYLES:
         ui.add_css(resources.files("strainwave.studio").joinpath(style).read_text(encoding="utf-8"))
     with ui.element("header").classes("studio-header"):
-        header(session, broken_link)
+        header(session, file, broken_link)
     with ui.element("div").classes("studio"):
         with ui.element("section").classes("studio-form").props('aria-label="Design"') as form:
             design_form(session)

@@ -14,6 +14,7 @@ from nicegui import app as nicegui_app
 from strainwave.design import Design
 from strainwave.studio.guard import Access, guarded
 from strainwave.studio.guard.access import checked_token
+from strainwave.studio.header.design_file import DesignFile
 from strainwave.studio.jobs.job import wait_for_ended_jobs
 from strainwave.studio.listening import LOOPBACK, listening_socket
 from strainwave.studio.page import build_page
@@ -33,6 +34,7 @@ BROKEN = "Something went wrong in the studio. Its terminal says what; the design
 def run_studio(
     design: Design,
     *,
+    file: DesignFile | None = None,
     host: str = LOOPBACK,
     port: int | None = None,
     token: str | None = None,
@@ -40,6 +42,7 @@ def run_studio(
 ) -> None:
     """Serve the studio until it is interrupted; `started` is called with its address when it answers.
 
+    `file` is what the design was read from: `Save` hands it out to the last byte where nothing has been changed.
     Without `port` it takes 8080 or the next one that is free, and with 0 any. Another `host` than a loopback address is
     served to those only who have the `token`, which is made where there is none. Raises ``StrainwaveError`` where it
     cannot listen, or the token is too short.
@@ -56,7 +59,7 @@ def run_studio(
             give_up(client)
 
     app = FastAPI(openapi_url=None, lifespan=lifespan)
-    _serve_pages(app, design)
+    _serve_pages(app, design, file)
     config = uvicorn.Config(
         guarded(app, access),
         log_level="warning",
@@ -72,7 +75,7 @@ def run_studio(
         wait_for_ended_jobs(LONGEST_END_S)
 
 
-def _serve_pages(app: FastAPI, design: Design) -> None:
+def _serve_pages(app: FastAPI, design: Design, file: DesignFile | None) -> None:
     @ui.page("/", response_timeout=LONGEST_START_S)
     async def page() -> Response | None:
         client = ui.context.client
@@ -80,7 +83,7 @@ def _serve_pages(app: FastAPI, design: Design) -> None:
             client.delete()
             return PlainTextResponse(FULL, 503)
         ui.on_exception(lambda: ui.notify(BROKEN, type="negative"))
-        await build_page(design)
+        await build_page(design, file)
         return None
 
     @nicegui_app.on_page_exception

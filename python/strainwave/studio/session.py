@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from strainwave.analysis import Analysis, analyze
+from strainwave.analysis.analyze import counted_below
 from strainwave.design import Design
 from strainwave.design.replacement import replaced
 from strainwave.errors import DesignError, Fault, StrainwaveError
@@ -104,18 +105,19 @@ class Session:
         if self.history.can_redo:
             await self._replace(self.history.redo(), is_step=False)
 
-    async def count_below(self, threshold_um: float) -> None:
-        """Count the teeth below another gap, of the reference too. ``StrainwaveError`` where it is none."""
+    def count_below(self, threshold_um: float) -> None:
+        """Count the teeth of what is shown below another gap, those of the reference too; the draft is as it was.
+
+        ``StrainwaveError`` where it is no gap.
+        """
         if threshold_um == self.threshold_um:
             return
-        pinned = self.pinned
-        counted = await asyncio.to_thread(analyze, (pinned or self.analysis).design, threshold_um=threshold_um)
-        if pinned is not None and self.pinned is pinned:
-            self.pinned = counted
-            self.repinned.emit()
-        await self.settled()
+        self.analysis = counted_below(self.analysis, threshold_um)
         self.threshold_um = threshold_um
-        await self._analyse(_Wanted(self.draft, "", is_step=False))
+        if self.pinned is not None:
+            self.pinned = counted_below(self.pinned, threshold_um)
+            self.repinned.emit()
+        self._show()
 
     async def settled(self) -> None:
         """Wait until every draft that has come is analysed."""
@@ -175,10 +177,15 @@ class Session:
         except StrainwaveError as error:
             self._judge((Fault("", problem=str(error)),))
             return
+        if found.threshold_um != self.threshold_um:  # which has come meanwhile
+            found = counted_below(found, self.threshold_um)
         self.analysis = found
         if wanted.is_step:
             self.history.add(found.design, wanted.what)
         self._judge(())
+        self._show()
+
+    def _show(self) -> None:
         self.shown.emit()
         if self._following is None:
             self._following = asyncio.get_running_loop().call_later(FOLLOWS_S, self._follow)

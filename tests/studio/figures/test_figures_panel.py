@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+from functools import partial
 from threading import Event
 
 import pytest
@@ -85,18 +86,25 @@ def test_another_threshold(visit: Visit) -> None:
     session = Session(case("cosine-calibrated"))
 
     async def steps(user: User) -> None:
+        def shows(marker: str, words: str) -> bool:
+            return text(user, marker) == words
+
         field = one(user, marker="threshold")
         assert isinstance(field, ui.number)
-        field.value = 3.0
-        user.find(marker="threshold").trigger("change")
-        below = analyze(session.design, threshold_um=3.0).teeth_below.drive
-        assert below != session.analysis.teeth_below.drive
-        await until(lambda: text(user, "below-drive") == str(below))
+        for threshold_um in (3.0, 2.0):
+            before = session.analysis.teeth_below.drive
+            field.value = threshold_um
+            user.find(marker="threshold").trigger("change")
+            below = analyze(session.design, threshold_um=threshold_um).teeth_below.drive
+            assert below != before
+            await until(partial(shows, "below-drive", str(below)))
+            # The next one with a draft that is no gear.
+            await session.change({W0: -1.0})
         for nonsense in (None, -1.0, 1e9):
             field.value = nonsense
             user.find(marker="threshold").trigger("change")
-            await until(lambda: field.value == 3.0)
-            assert session.threshold_um == 3.0
+            await until(lambda: field.value == 2.0)
+            assert session.threshold_um == 2.0
 
     visit(lambda: figures_panel(session), steps)
 

@@ -8,6 +8,7 @@ from strainwave.studio.guard import Access
 from tests.studio.guard.asking import HOME, OPEN, asked, knocked
 
 TOKEN = "a-token-of-the-user"
+COOKIE = f"{OPEN.cookie}={OPEN.pass_}"
 
 
 def test_the_own_page_is_answered() -> None:
@@ -43,8 +44,8 @@ def test_without_the_token_no_socket_is_opened() -> None:
     origin = "http://192.0.2.1:8080"
     assert knocked(OPEN, origin=origin) == "websocket.close"
     assert knocked(OPEN, origin=origin, cookie=f"{OPEN.cookie}={TOKEN}") == "websocket.close"
-    assert knocked(OPEN, origin=origin, cookie=f"{OPEN.cookie}={OPEN.pass_}") == "websocket.accept"
-    assert knocked(OPEN, origin="http://evil.example", cookie=f"{OPEN.cookie}={OPEN.pass_}") == "websocket.close"
+    assert knocked(OPEN, origin=origin, cookie=COOKIE) == "websocket.accept"
+    assert knocked(OPEN, origin="http://evil.example", cookie=COOKIE) == "websocket.close"
 
 
 @pytest.mark.parametrize(
@@ -60,8 +61,36 @@ def test_the_token_leaves_the_address_for_a_cookie(query: str, rest: str) -> Non
     assert (answer.status_code, answer.headers["location"]) == (303, rest)
     cookie = answer.headers["set-cookie"]
     assert TOKEN not in cookie
-    assert cookie.startswith(f"{OPEN.cookie}={OPEN.pass_}; HttpOnly; Path=/; SameSite=strict")
-    assert asked(OPEN, rest, headers={"cookie": f"{OPEN.cookie}={OPEN.pass_}"}).status_code == 200
+    assert cookie.startswith(f"{COOKIE}; HttpOnly; Path=/; SameSite=lax")
+    assert asked(OPEN, rest, headers={"cookie": COOKIE}).status_code == 200
+
+
+CROSS = {"sec-fetch-site": "cross-site"}
+VISIT = {**CROSS, "sec-fetch-mode": "navigate", "sec-fetch-dest": "document"}
+
+
+def test_the_cookie_comes_with_a_link_from_elsewhere_and_opens_the_page() -> None:
+    assert asked(OPEN, "/", headers={"cookie": COOKIE, **VISIT}).status_code == 200
+    assert asked(OPEN, "/?design=eJx", headers={"cookie": COOKIE, **VISIT}).status_code == 200
+
+
+@pytest.mark.parametrize(
+    ("method", "headers"),
+    [
+        ("GET", {**CROSS, "sec-fetch-mode": "no-cors", "sec-fetch-dest": "image"}),
+        ("GET", {**CROSS, "sec-fetch-mode": "navigate", "sec-fetch-dest": "iframe"}),
+        ("GET", {**CROSS, "sec-fetch-mode": "navigate", "sec-fetch-dest": "embed"}),
+        ("GET", {"sec-fetch-site": "same-site", "sec-fetch-mode": "cors", "sec-fetch-dest": "empty"}),
+        # A form of another site's page: browsers say whose it is, or "null".
+        ("POST", {**VISIT, "origin": "http://evil.example"}),
+        ("POST", {**VISIT, "origin": "null"}),
+        ("POST", VISIT),
+    ],
+)
+@pytest.mark.parametrize("path", ["/", "/static.js", "/_nicegui/client/x/upload/1"])
+def test_with_the_cookie_other_sites_may_still_only_link_here(method: str, headers: dict[str, str], path: str) -> None:
+    answer = asked(OPEN, path, method, headers={"cookie": COOKIE, **headers})
+    assert (answer.status_code, answer.text) == (403, "Another site's page may not use this studio.")
 
 
 @pytest.mark.parametrize("path", ["//evil.example/", "//evil.example", "/x"])

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import os
+from pathlib import Path
+
 import pytest
 
 from strainwave.design import dumps, loads
@@ -19,6 +22,27 @@ def test_what_was_opened_and_not_changed_is_saved_to_the_last_byte() -> None:
         opened = DesignFile.opened("my gear.toml", content)
         assert opened.design == case()
         assert saved(opened.design, opened) == DesignFile("my gear.toml", content, opened.design)
+
+
+def test_a_file_of_this_machine_is_read_as_it_is(tmp_path: Path) -> None:
+    """Also through a pipe, which gives its bytes only once, and with a name in another coding than UTF-8."""
+    path = tmp_path / os.fsdecode(b"gear f\xfcr 1.toml")
+    path.write_bytes(b"\xef\xbb\xbf" + PRINTED)
+    assert DesignFile.read(path) == DesignFile("gear f\ufffdr 1.toml", b"\xef\xbb\xbf" + PRINTED, case())
+    reading, writing = os.pipe()
+    os.write(writing, PRINTED)
+    os.close(writing)
+    assert DesignFile.read(Path(f"/dev/fd/{reading}")) == DesignFile(str(reading), PRINTED, case())
+    os.close(reading)
+
+
+def test_a_file_that_cannot_be_read_is_named_with_its_path(tmp_path: Path) -> None:
+    faulty = tmp_path / "faulty.toml"
+    faulty.write_bytes(PRINTED.replace(b"module = 0.8", b"module = -0.8"))
+    for path, said in ((tmp_path / "none.toml", "there is no such file"), (faulty, "module = -0.8")):
+        with pytest.raises(DesignError) as error:
+            DesignFile.read(path)
+        assert str(error.value).startswith(f"{path}: {said}")
 
 
 def test_what_was_changed_keeps_the_files_name_and_holds_the_change() -> None:

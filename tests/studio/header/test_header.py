@@ -145,4 +145,4 @@ def test_a_broken_link_is_said_once(visit: Visit) -> None:
     async def steps(user: User) -> None:
         await user.should_see("The link is <b>broken</b>")
 
-    visit(lambda: header(Session(case()), StrainwaveError("The link is <b>broken</b>")), steps)
+    visit(lambda: header(Session(case()), broken_link=StrainwaveError("The link is <b>broken</b>")), steps)

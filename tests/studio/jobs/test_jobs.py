@@ -161,7 +161,7 @@ def test_all_windows_together_run_so_many() -> None:
         windows = [Jobs() for _ in range(MOST_AT_ONCE)]
         running = [asyncio.ensure_future(jobs.run("waiting", tasks.last_forever, 1, silent)) for jobs in windows]
         await asyncio.sleep(0)
-        with pytest.raises(StrainwaveError, match="4 studies of other windows are running"):
+        with pytest.raises(StrainwaveError, match="4 studies are running in all windows together"):
             await Jobs().run("counting", tasks.count, 0, silent)
         windows[0].cancel()
         assert await until(lambda: running_jobs() < MOST_AT_ONCE)

@@ -142,6 +142,7 @@ def test_names_say_which_part_and_which_tooth() -> None:
         ({"kind": "csv", "chord_error_mm": 1e-9}, "the chord error must lie between"),
         ({"kind": "film-gif", "frames": 1}, "an animation has from 2 to 2000 frames"),
         ({"kind": "film-gif", "turns": 0.0}, "the generator turns by at most"),
+        ({"kind": "film-gif", "frames_per_s": 60.0}, "a GIF shows at most 50 frames per second, not 60"),
     ],
 )
 def test_a_look_finds_what_cannot_be(fields: dict[str, Any], message: str) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+import pytest
 from nicegui import ui
 from nicegui.testing import User
 
@@ -12,11 +13,14 @@ from strainwave.analysis import analyze, face_map
 from strainwave.analysis.verdict import Verdict
 from strainwave.design import Design
 from strainwave.plots.interactive import assembly_3d_figure
+from strainwave.studio.jobs import Limits, jobs
+from strainwave.studio.jobs.jobs import MOST_AT_ONCE
 from strainwave.studio.session import Session
 from strainwave.studio.space.turnable import Turnable
 from strainwave.studio.tabs.assembly_3d import WORKING, assembly_3d_tab
 from tests.export.gears import small_gear
 from tests.studio.conftest import Visit
+from tests.studio.tabs.studies import button, press
 
 RETRIES = 300  # of a tenth of a second
 
@@ -96,8 +100,38 @@ def test_a_cup_that_cannot_be_bent_is_said_and_mended(visit: Visit) -> None:
         await user.should_see("This design has no picture in space.", retries=RETRIES)
         await user.should_see("lengthen flexspline.cup_length")
         assert address(user) == ""
+        with pytest.raises(AssertionError):
+            button(user, "Try again")
         await sessions[-1].open(small_gear())
         await user.should_see(sentence(small_gear()), retries=RETRIES)
         assert address(user)
 
     visit(shown(sessions, small_gear().replace(short)), steps)
+
+
+def test_a_studio_that_is_busy_is_no_fault_of_the_design(visit: Visit, monkeypatch: pytest.MonkeyPatch) -> None:
+    design = small_gear()
+    monkeypatch.setattr(jobs, "running_jobs", lambda: MOST_AT_ONCE)
+
+    async def steps(user: User) -> None:
+        await user.should_see("The picture could not be made now: 4 studies are running", retries=RETRIES)
+        await user.should_not_see("This design has no picture in space.")
+        monkeypatch.undo()
+        press(user, "Try again")
+        await user.should_see(sentence(design), retries=RETRIES)
+        await user.should_not_see("could not be made")
+        with pytest.raises(AssertionError):
+            button(user, "Try again")
+        assert address(user)
+
+    visit(shown([], design), steps)
+
+
+def test_a_view_that_takes_too_long_can_be_tried_again(visit: Visit, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("strainwave.studio.tabs.assembly_3d.LIMITS", Limits(seconds=1e-3))
+
+    async def steps(user: User) -> None:
+        await user.should_see("could not be made now: the view in space took more than 0.001 s", retries=RETRIES)
+        button(user, "Try again")
+
+    visit(shown([], small_gear()), steps)

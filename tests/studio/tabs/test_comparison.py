@@ -73,6 +73,51 @@ def test_it_follows_the_design_but_not_what_was_typed(visit: Visit) -> None:
     visit(shown.build, steps)
 
 
+def test_it_follows_a_w0_of_any_number_of_digits(visit: Visit) -> None:
+    shown = Shown(comparison_tab)
+    many = 0.21255810546875431
+
+    async def steps(user: User) -> None:
+        w0 = field(user, "Common w0, mm")
+        await shown.session.adopt({"wave_generator.w0": many})
+        assert float(w0.value) == many
+        await shown.session.change({"wave_generator.w0": 0.213})
+        assert w0.value == "0.213"
+
+    visit(shown.build, steps)
+
+
+def test_ticks_and_numbers_stay_when_the_design_s_own_generator_changes(visit: Visit) -> None:
+    shown = Shown(comparison_tab, "four-roller-calibrated")
+    own = shown.session.design.to_dict()["wave_generator"]
+    wrap_angle = "dual-disk, wrap angle, degrees"
+
+    def is_offered(user: User, kind: str) -> bool:
+        return bool(field(user, kind).parent_slot.parent.visible)
+
+    def chosen(user: User) -> list[str]:
+        return [kind for kind in KINDS if field(user, kind).value]
+
+    async def steps(user: User) -> None:
+        assert chosen(user) == ["ellipse", "two-roller", "dual-disk"]
+        choose(user, "two-roller", "dual-disk")
+        field(user, wrap_angle).set_value("17")
+        await shown.session.change({"wave_generator.roller_angle": 21.5})
+        await user.should_see("four-roller 21.5° (the design's own)")
+        assert chosen(user) == ["two-roller", "dual-disk"]
+        assert field(user, wrap_angle).value == "17"
+        await shown.session.change({"wave_generator": {"kind": "ellipse", "w0": shown.w0}})
+        await user.should_see("ellipse (the design's own)")
+        assert not is_offered(user, "ellipse")
+        assert chosen(user) == ["two-roller", "four-roller", "dual-disk"]  # the four-roller is another one now
+        assert field(user, wrap_angle).value == "17"
+        await shown.session.change({"wave_generator": own})
+        assert is_offered(user, "ellipse")
+        assert chosen(user) == ["two-roller", "dual-disk"]
+
+    visit(shown.build, steps)
+
+
 def test_a_number_that_cannot_be_starts_nothing(visit: Visit) -> None:
     shown = Shown(comparison_tab)
 

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 from nicegui.testing import User
 
 from strainwave.design import parameters_of
 from strainwave.quantities import Quantity
 from strainwave.studies.optimization import optimize
+from strainwave.studies.optimization.goals import requirements_of
 from strainwave.studio.tabs.field import read_number
 from strainwave.studio.tabs.free_rows import first_range
 from strainwave.studio.tabs.optimizer import optimizer_tab
@@ -97,6 +100,35 @@ def test_an_answer_that_there_is_not_is_said(visit: Visit) -> None:
         field(user, "minimum-backlash, least µm").set_value("500")
         press(user, "Optimise")
         await said(user, "None of 24 designs in the ranges meets every requirement")
+
+    visit(shown.build, steps)
+
+
+@pytest.mark.parametrize(
+    ("least", "greatest", "required"),
+    [
+        ("0", "", (0.0, math.inf)),  # as it stands there
+        ("0", "3", (0.0, 3.0)),
+        ("", "3", (-math.inf, 3.0)),
+        ("", "", None),
+    ],
+)
+def test_what_the_table_shows_is_what_is_required(
+    visit: Visit, least: str, greatest: str, required: tuple[float, float] | None
+) -> None:
+    """An end that is always required stands in its field; emptied, it is required no more."""
+    shown = Shown(optimizer_tab)
+
+    async def steps(user: User) -> None:
+        small_search(user)
+        assert field(user, "minimum-backlash, least µm").value == "0"
+        field(user, "minimum-backlash, least µm").set_value(least)
+        field(user, "minimum-backlash, greatest µm").set_value(greatest)
+        press(user, "Optimise")
+        await until(lambda: shown.requests)
+        found = {each.figure.name: (each.low, each.high) for each in requirements_of(shown.requests[0].require)}
+        assert found.pop("tip-clearance") == (0.0, math.inf)
+        assert found == ({} if required is None else {"minimum-backlash": required})
 
     visit(shown.build, steps)
 

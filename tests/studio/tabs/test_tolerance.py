@@ -17,10 +17,11 @@ from strainwave.studies.tolerance import (
     load_tolerances,
 )
 from strainwave.studio.tabs.tolerance import tolerance_tab
+from strainwave.studio.tabs.tolerance_table import FIRST
 from tests.studies.small import small
 from tests.studies.tolerance.runs import FILE, THREE
 from tests.studio.conftest import Visit
-from tests.studio.tabs.studies import Shown, field, press, said
+from tests.studio.tabs.studies import LONGEST_S, Shown, field, press, said
 
 W0 = "wave_generator.w0"
 
@@ -90,6 +91,44 @@ def test_lines_come_and_go(visit: Visit) -> None:
         press(user, "Remove the tolerance of module")
         with pytest.raises(AssertionError):
             press(user, "Remove the tolerance of module")
+
+    visit(shown.build, steps)
+
+
+def test_what_is_wrong_with_no_line_is_said(visit: Visit) -> None:
+    shown = Shown(tolerance_tab)
+    none = "tolerances: must hold at least one table"
+
+    async def steps(user: User) -> None:
+        for table in FIRST:
+            press(user, f"Remove the tolerance of {table['parameter']}")
+        await user.should_see(none)
+        press(user, "Run")
+        await user.should_see(none)
+        await user.should_not_see("its field says why")
+        await user.should_not_see("Write for example")
+        press(user, "Save file")
+        await user.should_see(none)
+        assert shown.runs == []
+        press(user, "Add a tolerance")
+        await user.should_not_see(none)
+
+    visit(shown.build, steps)
+
+
+def test_what_cannot_be_is_not_saved_and_that_is_said(visit: Visit) -> None:
+    shown = Shown(tolerance_tab)
+
+    async def steps(user: User) -> None:
+        field(user, "±3σ").set_value("wide")
+        press(user, "Save file")
+        await said(user, "A tolerance above cannot be; its line says why.")
+        field(user, "±3σ").set_value("0.001")
+        await user.should_not_see("cannot be")
+        press(user, "Save file")
+        answer = await user.download.next(timeout=LONGEST_S)
+        typed = {"tolerances": [{**FIRST[0], "three_sigma": 0.001}, *FIRST[1:]]}
+        assert decode_tolerances(answer.content, "saved.toml") == Tolerances.from_dict(typed)
 
     visit(shown.build, steps)
 

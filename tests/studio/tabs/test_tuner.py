@@ -15,7 +15,7 @@ from strainwave.studio.tabs.tuner import tuner_tab
 from tests.studies.small import small
 from tests.studio.conftest import Visit
 from tests.studio.jobs.tasks import last_forever
-from tests.studio.tabs.studies import Shown, field, picture, press, said
+from tests.studio.tabs.studies import Shown, button, field, picture, press, said
 from tests.studio.waiting import until
 
 W0 = "wave_generator.w0"
@@ -115,6 +115,25 @@ def test_a_margin_that_cannot_be_is_said_and_nothing_runs(visit: Visit, typed: s
         assert margin.error is None
         await until(lambda: len(shown.runs) == 2)
         assert shown.requests[-1].margin_um == 1.5
+
+    visit(shown.build, steps)
+
+
+def test_without_a_margin_the_result_is_that_of_another_design(visit: Visit) -> None:
+    shown = Shown(tuner_tab)
+
+    async def steps(user: User) -> None:
+        await said(user, "VIABLE")
+        margin = field(user, "Margin, µm")
+        margin.set_value("x")
+        await shown.session.change({"flexspline.profile.offset": -0.002})
+        assert is_dimmed(user)
+        with pytest.raises(AssertionError):
+            button(user, "Run again")  # which could not run
+        await shown.session.change({"flexspline.profile.offset": small().flexspline.profile.offset})
+        margin.set_value("0.1")
+        assert not is_dimmed(user)
+        assert shown.runs == ["tuning"]
 
     visit(shown.build, steps)
 

@@ -24,8 +24,8 @@ class ThresholdField:
         self._field.on("change", self._take, args=[])
         ui.label("µm")
 
-    async def _take(self) -> None:
+    def _take(self) -> None:
         value = self._field.value
         if isinstance(value, int | float) and LEAST_UM <= value <= GREATEST_UM:
-            await self._session.count_below(float(value))
+            self._session.count_below(float(value))
         self._field.value = self._session.threshold_um

@@ -63,7 +63,7 @@ class Access:
         """The cookie's name: browsers keep cookies per host, and another studio may run on another port."""
         return f"strainwave-studio-{self.port}"
 
-    def refusal(self, headers: Headers, scheme: str) -> str | None:
+    def refusal(self, headers: Headers, scheme: str, method: str = "GET") -> str | None:
         """Why a request with these headers is not answered, or None; the token apart."""
         host, origin = headers.get("host", ""), headers.get("origin")
         if is_loopback(self.host) and host not in self._own_names:
@@ -71,7 +71,8 @@ class Access:
         if origin is not None and origin != f"{scheme}://{host}":
             return "Another site's page may not use this studio."
         # Links from elsewhere may lead here; other uses of the studio by other pages, also of this machine, may not.
-        is_visit = (headers.get("sec-fetch-mode"), headers.get("sec-fetch-dest")) == ("navigate", "document")
+        how = (method, headers.get("sec-fetch-mode"), headers.get("sec-fetch-dest"))
+        is_visit = how == ("GET", "navigate", "document")
         if headers.get("sec-fetch-site") in ("cross-site", "same-site") and not is_visit:
             return "Another site's page may not use this studio."
         return None

@@ -39,7 +39,7 @@ class Gate:
         """What is answered instead of the studio, or None."""
         headers = Headers(scope=scope)
         scheme = "https" if scope["scheme"] in ("https", "wss") else "http"
-        refusal = self._access.refusal(headers, scheme)
+        refusal = self._access.refusal(headers, scheme, scope.get("method", "GET"))
         if refusal is not None:
             return PlainTextResponse(refusal, 403)
         query = scope["query_string"].decode("latin-1")
@@ -63,7 +63,8 @@ class Gate:
             return None
         rest = "&".join(part for part in parts if part not in tokens)
         answer = RedirectResponse(f"/?{rest}" if rest else "/", 303)
-        answer.set_cookie(self._access.cookie, self._access.pass_, httponly=True, samesite="strict", path="/")
+        # "strict" would keep it from links on other sites' pages; what else these may do is the rule's business.
+        answer.set_cookie(self._access.cookie, self._access.pass_, httponly=True, samesite="lax", path="/")
         return answer
 
 

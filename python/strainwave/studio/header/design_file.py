@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import os
 from dataclasses import dataclass
+from pathlib import Path
 
 from strainwave.design import Design, decode, dumps
+from strainwave.design.reader import read
 from strainwave.studio.file_name import file_name
 
 ENDING = ".toml"
@@ -22,6 +25,14 @@ class DesignFile:
     def opened(cls, name: str, content: bytes) -> DesignFile:
         """Of a file's bytes. ``DesignError`` where they hold no design."""
         return cls(name, content, decode(content, name))
+
+    @classmethod
+    def read(cls, path: Path) -> DesignFile:
+        """Of this machine. ``DesignError`` where it cannot be read, or holds no design."""
+        content = read(path)
+        # A name that is no UTF-8 text could not be sent to the page.
+        name = os.fsencode(path.name).decode("utf-8", "replace")
+        return cls(name, content, decode(content, str(path)))
 
     @classmethod
     def of(cls, design: Design) -> DesignFile:

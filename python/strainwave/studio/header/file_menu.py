@@ -25,10 +25,11 @@ TOML = "application/toml"
 class FileMenu:
     """Three buttons, and the page as a place to drop files on. A file that holds no gear changes nothing."""
 
-    def __init__(self, session: Session, problem: Problem) -> None:
+    def __init__(self, session: Session, problem: Problem, file: DesignFile | None = None) -> None:
+        """`file` counts as opened where the session starts with its design, and not with a link to another one."""
         self._session = session
         self._problem = problem
-        self._opened: DesignFile | None = None
+        self._opened = file if file is not None and file.design == session.design else None
         self._uploader = uploader(self._receive)
         self._uploader.classes("header-uploader").props("tabindex=-1 aria-hidden=true")
         self._uploader.on("rejected", self._refuse, js_handler="(entries) => emit(entries[0].file.name)")

@@ -6,6 +6,7 @@ from nicegui import ui
 
 from strainwave.errors import StrainwaveError
 from strainwave.studio.header.address import PRODUCT, Address
+from strainwave.studio.header.design_file import DesignFile
 from strainwave.studio.header.file_menu import FileMenu
 from strainwave.studio.header.help import help_dialog
 from strainwave.studio.header.link_button import link_button
@@ -17,13 +18,16 @@ from strainwave.studio.header.theme import ThemeButton
 from strainwave.studio.session import Session
 
 
-def header(session: Session, broken_link: StrainwaveError | None = None) -> None:
-    """Name, steps back and forth, files, link, look; a message where the link that led here is broken."""
+def header(session: Session, file: DesignFile | None = None, broken_link: StrainwaveError | None = None) -> None:
+    """Name, steps back and forth, files, link, look; a message where the link that led here is broken.
+
+    `file` is the one that the studio has started with, whatever the session has.
+    """
     problem = Problem()
     ui.label(PRODUCT).classes("header-product").props("role=heading aria-level=1")
     name_field(session)
     step_buttons(session)
-    files = FileMenu(session, problem)
+    files = FileMenu(session, problem, file)
     link_button(Address(session), session, problem)
     ui.element("div").classes("header-gap")
     ThemeButton()

@@ -16,6 +16,7 @@ from typing import Any
 
 from strainwave.errors import StrainwaveError
 from strainwave.studio.jobs.limits import Limits
+from strainwave.studio.jobs.main_module import nowhere_main
 from strainwave.studio.jobs.worker import STOP, Message, Report, Task, work
 
 # What jobs need, imported once by the process from which theirs are copied.
@@ -140,7 +141,7 @@ class Job:
 
     def _start(self) -> None:
         """Start the process, outside the lock for it takes its time; end it if the job was called off meanwhile."""
-        with _ONE_AT_A_TIME:
+        with _ONE_AT_A_TIME, nowhere_main():
             self._process.start()
         self._its.close()
         with self._lock:

@@ -33,7 +33,7 @@ class Jobs:
     async def run(self, what: str, task: Task, request: Any, report: Report) -> Any:
         """The result of a task, which another process computes; `report` hears how far it is.
 
-        `what` names it in messages, such as "tuning". StrainwaveError where another job is running, other windows have
+        `what` names it in messages, such as "tuning". StrainwaveError where another job is running, all windows have
         too many, or this one fails; CancelledError where it was called off.
         """
         if self._closed:
@@ -41,7 +41,9 @@ class Jobs:
         if self._job is not None:
             raise StrainwaveError(f"the {self.running} is still running; wait for its end, or cancel it")
         if running_jobs() >= MOST_AT_ONCE:
-            raise StrainwaveError(f"{MOST_AT_ONCE} studies of other windows are running; wait until one of them ends")
+            # Among them are those of this window that are just ending.
+            running = f"{MOST_AT_ONCE} studies are running in all windows together"
+            raise StrainwaveError(f"{running}, and no more may; wait until one of them ends")
         job = self._job = Job(what, task, request, self.limits, report)
         self.changed.emit()
         try:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import ClassVar, Literal
 
 from strainwave.analysis import Analysis, analyze
-from strainwave.animation import Film, animation_bytes
+from strainwave.animation import Film, animation_bytes, check_speed
 from strainwave.design import Design
 from strainwave.scene import Fixed
 from strainwave.studies.progress import Progress
@@ -50,4 +50,6 @@ class FilmOrder:
         return animation_bytes(film, self.format, progress)
 
     def _film(self, analysis: Analysis) -> Film:
-        return Film.of(analysis, frames=self.frames, turns=self.turns, fixed=self.fixed, frames_per_s=self.frames_per_s)
+        film = Film.of(analysis, frames=self.frames, turns=self.turns, fixed=self.fixed, frames_per_s=self.frames_per_s)
+        check_speed(film, self.format)
+        return film

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from strainwave.analysis import analyze, face_map
 from strainwave.analysis.verdict import Level, Verdict
 from strainwave.design import Design
+from strainwave.errors import DesignError
 from strainwave.plots.gear_view import CHORD_ERROR_MODULES
 from strainwave.studio.jobs import Limits, Report
 from strainwave.studio.orders import Product
@@ -47,11 +48,25 @@ class SpaceView:
     """The figure of the map as plotly's JSON text."""
 
 
-def space_view(request: SpaceRequest, limits: Limits, report: Report) -> SpaceView:
+@dataclass(frozen=True)
+class NoSpaceView:
+    """There is none of this design: its cup cannot be bent as far as its open end would be."""
+
+    why: str
+
+
+def space_view(request: SpaceRequest, limits: Limits, report: Report) -> SpaceView | NoSpaceView:
     """A task for a job: half a second, most of it in the kernel.
 
-    DesignError where the cup cannot be bent as far as its open end would be.
+    What is wrong with the design is an answer; an error is that there is none now.
     """
+    try:
+        return _view(request, limits)
+    except DesignError as error:
+        return NoSpaceView(str(error))
+
+
+def _view(request: SpaceRequest, limits: Limits) -> SpaceView:
     from strainwave.plots.interactive import assembly_3d_figure, face_figure
 
     analysis = analyze(request.design, threshold_um=request.threshold_um)

@@ -46,6 +46,10 @@ export default {
     this.size.observe(this.$refs.picture);
     this.fetch();
   },
+  // Seen again after another tab: what could not be drawn then may be drawn now.
+  activated() {
+    if (this.problem) this.fetch();
+  },
   unmounted() {
     this.theme?.disconnect();
     this.size?.disconnect();
@@ -119,7 +123,8 @@ export default {
       if (this.drawn) this.Plotly.restyle(this.$refs.picture, { visible: this.bodies[place].shown }, [place]);
     },
     lose() {
-      this.problem = "The browser has taken the picture's memory away; open this tab anew, or choose coarser detail.";
+      this.problem = "The browser has taken the picture's memory away. Open another tab and this one again to have it " +
+        "drawn anew, or choose coarser detail.";
       this.Plotly.purge(this.$refs.picture);
       this.drawn = false;
     },

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from nicegui import context, ui
 
+from strainwave.analysis.verdict import Level
 from strainwave.errors import StrainwaveError
 from strainwave.studio.jobs import CancelledError, Jobs, Limits
 from strainwave.studio.parcels import Parcels
 from strainwave.studio.picture import Picture
 from strainwave.studio.session import Session
 from strainwave.studio.space.renewal import Renewal
-from strainwave.studio.space.space_view import DETAILS, SpaceRequest, SpaceView, space_view
+from strainwave.studio.space.space_view import DETAILS, NoSpaceView, SpaceRequest, SpaceView, space_view
 from strainwave.studio.space.turnable import Turnable
 from strainwave.studio.tabs.strip import Refresh
 
@@ -41,6 +42,8 @@ class _Space:
                 self._detail = ui.toggle(
                     {detail: detail.capitalize() for detail in DETAILS}, value="normal", on_change=self._redraw
                 ).props('dense no-caps unelevated size=sm aria-label="Detail of the picture"')
+                self._again = ui.button("Try again", on_click=self._redraw).props("dense outline no-caps")
+                self._again.visible = False
                 with ui.element("div").classes("space-working") as self._working:
                     ui.spinner(size="1.2em")
                     ui.label(WORKING)
@@ -69,7 +72,10 @@ class _Space:
         except CancelledError:
             return  # the next one is wanted already, or the page is gone
         except StrainwaveError as error:
-            self._refuse(str(error))
+            self._refuse(f"The picture could not be made now: {error}", level="undecided", again=True)
+            return
+        if isinstance(view, NoSpaceView):
+            self._refuse("This design has no picture in space.", view.why, level="interference")
         else:
             self._show(view)
 
@@ -83,16 +89,16 @@ class _Space:
         self._root.classes(remove="is-empty")
         self._show_state(working=False)
 
-    def _refuse(self, why: str) -> None:
+    def _refuse(self, sentence: str, why: str = "", *, level: Level, again: bool = False) -> None:
         if self._root.is_deleted:
             return
-        self._sentence.text, self._along_face.text = "This design has no picture in space.", why
-        self._sentence.classes(replace="space-verdict is-interference")
-        self._show_state(working=False, refused=True)
+        self._sentence.text, self._along_face.text = sentence, why
+        self._sentence.classes(replace=f"space-verdict is-{level}")
+        self._show_state(working=False, refused=True, again=again)
 
-    def _show_state(self, *, working: bool, refused: bool = False) -> None:
+    def _show_state(self, *, working: bool, refused: bool = False, again: bool = False) -> None:
         """While the next view is made the last one is dimmed; one that cannot be made leaves it so."""
-        self._working.visible = working
+        self._working.visible, self._again.visible = working, again
         states = {"is-stale": working, "is-refused": refused}
         self._root.classes(
             add=" ".join(name for name, holds in states.items() if holds),

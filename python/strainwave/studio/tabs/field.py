@@ -9,6 +9,7 @@ from nicegui import ui
 
 from strainwave.quantities import Quantity, WholeNumber
 from strainwave.studio.form.field import UNIT_SIGNS
+from strainwave.studio.form.typed import number_text
 
 LONGEST = 40
 
@@ -28,7 +29,7 @@ class NumberField:
         """`on_change` is called a moment after the last keystroke, whatever was typed."""
         self._quantity = quantity
         name = f"{label}, {UNIT_SIGNS.get(quantity.unit, quantity.unit)}" if quantity.unit else label
-        self.input = ui.input(name, value=f"{value:.12g}", validation=self._problem).classes("study-field")
+        self.input = ui.input(name, value=number_text(value), validation=self._problem).classes("study-field")
         self.input.props(f"dense outlined hide-bottom-space maxlength={LONGEST} inputmode=decimal debounce=300")
         if hint:
             with self.input:
@@ -45,8 +46,8 @@ class NumberField:
             return None
 
     def set(self, value: float) -> None:
-        """Show a number."""
-        self.input.set_value(f"{value:.12g}")
+        """Show a number, so that `value` is the same to the last bit."""
+        self.input.set_value(number_text(value))
 
     def _problem(self, text: object) -> str | None:
         try:

@@ -9,6 +9,7 @@ from typing import Any
 from nicegui import ui
 
 from strainwave.errors import StrainwaveError
+from strainwave.studies.ends import OPEN, Bounds
 from strainwave.studies.optimization.figure import FIGURES, Figure
 from strainwave.studies.optimization.goals import ALWAYS_REQUIRED
 from strainwave.studio.tabs.field import LONGEST, read_number
@@ -22,7 +23,7 @@ class GoalRow:
 
     def __init__(self, figure: Figure, on_change: Callable[[], Any]) -> None:
         self.figure = figure
-        low, high = ALWAYS_REQUIRED.get(figure.name, (-math.inf, math.inf))
+        low, high = ALWAYS_REQUIRED.get(figure.name, OPEN)
         with ui.element("tr"):
             with ui.element("th").props('scope="row"'), ui.label(figure.name):
                 ui.tooltip(figure.meaning)
@@ -42,16 +43,16 @@ class GoalRow:
         return f"{self.figure.name}={self._direction.value}" if self._direction.value else ""
 
     @property
-    def requirement(self) -> tuple[float | None, float | None]:
-        """The range, with None for an open end. StrainwaveError where an end is no number."""
-        low, high = (self._end(field) for field in self._ends)
+    def requirement(self) -> Bounds:
+        """The range; an empty field is no end, also where one is usual. StrainwaveError where an end is no number."""
+        low, high = (self._end(field, none) for field, none in zip(self._ends, OPEN, strict=True))
         return low, high
 
-    def _end(self, field: ui.input) -> float | None:
+    def _end(self, field: ui.input, none: float) -> float:
         text = str(field.value or "").strip()
         value = read_number(text)
         if not text:
-            return None
+            return none
         if not isinstance(value, float) or not math.isfinite(value):
             raise StrainwaveError(f"{self.figure.name}: {text!r} must be a number of {self.figure.unit}, or left out")
         return value
@@ -81,6 +82,6 @@ class GoalRows:
         """As `optimize` takes them."""
         return tuple(row.objective for row in self._rows if row.objective)
 
-    def requirements(self) -> dict[str, tuple[float | None, float | None]]:
+    def requirements(self) -> dict[str, Bounds]:
         """All ranges by figure, open ones too, so that what is not required here is not. StrainwaveError."""
         return {row.figure.name: row.requirement for row in self._rows}

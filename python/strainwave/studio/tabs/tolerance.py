@@ -39,7 +39,7 @@ class _Tolerance:
             self._table = ToleranceTable(session.design, self._check)
             with ui.element("div").classes("study-question"):
                 ui.button("Add a tolerance", icon="add", on_click=self._table.add).props("dense flat no-caps")
-                ToleranceFile(self._open, self._refuse, self._table.read)
+                ToleranceFile(self._open, self._refuse, self._to_save)
             with ui.element("div").classes("study-question"):
                 hint = "For the yield; rounded up to a power of two"
                 self._samples = NumberField("Samples", SAMPLES, FIRST_SAMPLES, hint=hint)
@@ -68,6 +68,8 @@ class _Tolerance:
 
     def _check(self) -> None:
         self._table.read()
+        if not self._runner.running:
+            self._runner.say(self._table.fault, bad=True)
 
     def _open(self, tolerances: Tolerances) -> None:
         self._table.load(tolerances)
@@ -77,11 +79,17 @@ class _Tolerance:
     def _refuse(self, message: str) -> None:
         self._runner.say(message, bad=True)
 
+    def _to_save(self) -> Tolerances | None:
+        tolerances = self._table.read()
+        if tolerances is None:
+            self._refuse(self._table.fault or "A tolerance above cannot be; its line says why.")
+        return tolerances
+
     async def _run(self) -> None:
         tolerances, samples = self._table.read(), self._samples.value
         base, seed = self._base.value, self._seed.value
         if tolerances is None or samples is None or base is None or seed is None:
-            self._runner.say("A tolerance or a number above cannot be; its field says why.", bad=True)
+            self._refuse(self._table.fault or "A tolerance or a number above cannot be; its field says why.")
             return
         request = ToleranceRequest(
             self._session.design.to_dict(),

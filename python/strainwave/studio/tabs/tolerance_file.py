@@ -27,6 +27,7 @@ class ToleranceFile:
         refused: Callable[[str], Any],
         read: Callable[[], Tolerances | None],
     ) -> None:
+        """`refused` hears why a file is none; `read` gives what is to be saved, or says itself why there is nothing."""
         self._opened, self._refused, self._read = opened, refused, read
         self._uploader = uploader(self._receive)
         self._uploader.classes("tolerance-uploader").props("tabindex=-1 aria-hidden=true")

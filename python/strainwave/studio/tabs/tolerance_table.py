@@ -29,6 +29,8 @@ class ToleranceTable:
 
     def __init__(self, design: Design, on_change: Callable[[], Any]) -> None:
         self.name = ""
+        self.fault = ""
+        """What `read` found wrong with no line in particular, in words."""
         self._design = design
         self._on_change = on_change
         self._rows: list[ToleranceRow] = []
@@ -49,7 +51,7 @@ class ToleranceTable:
         self._show([each.model_dump(exclude_none=True) for each in tolerances.tolerances])
 
     def read(self) -> Tolerances | None:
-        """The tolerances; None where there are faults, which are shown in their lines."""
+        """The tolerances; None where there are faults, which are shown in their lines, or else stand in `fault`."""
         tree = {"name": self.name, "tolerances": [row.table() for row in self._rows]}
         try:
             found = Tolerances.from_dict(tree)
@@ -86,9 +88,14 @@ class ToleranceTable:
 
     def _show_faults(self, faults: Sequence[Fault]) -> None:
         texts: dict[int, list[str]] = {}
+        others: list[str] = []
         for fault in faults:
             if found := _OF_ROW.match(fault.key):
                 own = Fault(found["key"], fault.value, fault.unit, fault.problem, fault.remedy)
                 texts.setdefault(int(found["row"]), []).append(str(own))
+            else:
+                # Without the remedy, which is for whoever writes a file.
+                others.append(str(Fault(fault.key, fault.value, fault.unit, fault.problem)))
+        self.fault = "\n".join(others)
         for place, row in enumerate(self._rows):
             row.show_fault("\n".join(texts.get(place, ())))

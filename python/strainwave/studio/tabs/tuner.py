@@ -59,10 +59,10 @@ class _Tuner:
     def refresh(self) -> None:
         """Show the design as it is now: its mark at once, and its tuning as soon as that is known."""
         self._mark_own()
-        margin = self._margin.value
-        if margin is None:
-            return
-        self._wanted = TuningRequest(self._session.design.to_dict(), self._session.threshold_um, margin)
+        design, margin = self._session.design, self._margin.value
+        self._wanted = None
+        if margin is not None:
+            self._wanted = TuningRequest(design.to_dict(), self._session.threshold_um, margin)
         self._show_state()
         if self._is_stale() and self._runner.running:
             self._session.jobs.cancel()
@@ -118,7 +118,8 @@ class _Tuner:
         is_current = self._wanted is not None and self._found_for == self._wanted.key
         self._result.set_visibility(self._found is not None)
         self._result.classes(remove="is-stale") if is_current else self._result.classes("is-stale")
-        self._again.set_visibility(not (is_current or self._runner.running or self._is_stale()))
+        is_idle = not (self._runner.running or self._is_stale())
+        self._again.set_visibility(self._wanted is not None and not is_current and is_idle)
 
     def _table(self, record: dict[str, Any]) -> None:
         below = f"teeth < {record['threshold_um']:g} µm, side / lobe"

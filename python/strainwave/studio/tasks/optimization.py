@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from strainwave.design import Design
+from strainwave.studies.ends import Ends
 from strainwave.studies.optimization.budget import Budget
 from strainwave.studies.optimization.free_parameter import free_parameters
 from strainwave.studies.optimization.goals import objectives_named, requirements_of
@@ -23,7 +24,7 @@ class OptimizationRequest:
     design: dict[str, Any]
     vary: dict[str, tuple[float | str, float | str]]
     objectives: tuple[str, ...]
-    require: dict[str, tuple[float | None, float | None]]
+    require: Mapping[str, Ends]
     threshold_um: float
     population: int
     generations: int
