@@ -28,8 +28,9 @@ WINDOWS = 30
 # A window that was left is given up after half a minute, and its study with it; on a busy machine a study that was just
 # asked for takes some seconds to appear.
 LONGEST_FAREWELL_S, QUIET_S = 60.0, 5.0
-# Python's allocator gives memory back in pieces, and caches fill; a page that stayed would cost 2 MB each.
-MOST_GROWTH_MB = 15.0
+# Half an hour has 1,000 windows. Python's allocator gives memory back in pieces, and FastAPI remembers the routes
+# of the last 4,096 uploaders, some 10 kB each; a page that stayed would cost 2 MB, a session 0.8 MB.
+MOST_GROWTH_MB = 40.0
 MOST_MEMORY_MB = 600.0
 
 

@@ -14,7 +14,7 @@ from strainwave.toml_file import LARGEST_FILE_BYTES
 def uploader(receive: Callable[[UploadEventArguments], Awaitable[None]]) -> ui.upload:
     """Sends a file as soon as it is chosen to `receive`, a method of an object that something else of the page holds.
 
-    FastAPI remembers every uploader for good; so it must not hold what the closed window's session hangs on.
+    FastAPI remembers thousands of uploaders; so they must not hold what a closed window's session hangs on.
     """
     held = WeakMethod(receive)
     return ui.upload(
