@@ -37,7 +37,9 @@ OpenPage = Callable[..., LocalPage]
 OpenStudio = Callable[..., StudioPage]
 
 
-@pytest.fixture(scope="session")
+# While it drives browsers there is an event loop in the process, beside which no other can run: it ends with each file,
+# which is one worker's.
+@pytest.fixture(scope="module")
 def playwright() -> Iterator[Playwright]:
     """What drives browsers. Without Chromium these tests are skipped, but in continuous integration they fail."""
     from playwright.sync_api import sync_playwright
@@ -51,14 +53,14 @@ def playwright() -> Iterator[Playwright]:
         yield playwright
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def chromium(playwright: Playwright) -> Iterator[Browser]:
     """One browser for all tests."""
     with launched(playwright) as browser:
         yield browser
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def plain_chromium(playwright: Playwright) -> Iterator[Browser]:
     """Another one without WebGL, which draws several times as fast."""
     with launched(playwright, webgl=False) as browser:

@@ -17,6 +17,7 @@ from strainwave.studio.jobs import Limits, jobs
 from strainwave.studio.jobs.jobs import MOST_AT_ONCE
 from strainwave.studio.session import Session
 from strainwave.studio.space.turnable import Turnable
+from strainwave.studio.tabs import assembly_3d
 from strainwave.studio.tabs.assembly_3d import WORKING, assembly_3d_tab
 from tests.export.gears import small_gear
 from tests.studio.conftest import Visit
@@ -128,7 +129,7 @@ def test_a_studio_that_is_busy_is_no_fault_of_the_design(visit: Visit, monkeypat
 
 
 def test_a_view_that_takes_too_long_can_be_tried_again(visit: Visit, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("strainwave.studio.tabs.assembly_3d.LIMITS", Limits(seconds=1e-3))
+    monkeypatch.setattr(assembly_3d, "LIMITS", Limits(seconds=1e-3))
 
     async def steps(user: User) -> None:
         await user.should_see("could not be made now: the view in space took more than 0.001 s", retries=RETRIES)
