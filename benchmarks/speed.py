@@ -63,7 +63,7 @@ def blocks(design: Design) -> dict[str, str]:
         "speed": tables.sides(seconds, tables.SHORT),
         "speed-sides": tables.sides(seconds),
         "speed-accuracy": tables.accuracy(points),
-        "speed-cores": cores.table(seconds_a_design(cores.by_cores(design), ROUNDS_OF_CORES)),
+        "speed-cores": cores.table(seconds_a_design(cores.by_cores(design, ROWS), ROUNDS_OF_CORES)),
         "speed-teeth": tables.teeth(seconds_a_design(costs.by_teeth(design, ROWS_OF_COSTS), ROUNDS), costs.TEETH),
         "speed-pieces": tables.pieces(seconds_a_design(costs.by_pieces(design, ROWS_OF_COSTS), ROUNDS), costs.PIECES),
         "speed-machine": f"{machine.description()}.\n",

@@ -12,7 +12,6 @@ from measurement.interleaved import Work
 from measurement.tables import shown
 from strainwave import Design
 
-ROWS = 10_000
 KINDS = {
     "w0 varies": ("w0", False),
     "the profile varies": ("profile", False),
@@ -22,13 +21,13 @@ KINDS = {
 SIDES = ("1 thread", "2 threads", "2 processes")
 
 
-def by_cores(design: Design) -> dict[str, Work]:
+def by_cores(design: Design, rows: int) -> dict[str, Work]:
     """Each kind of batch on one thread, on two, and in two processes at once."""
     works = {}
     for kind, (varied, in_motion) in KINDS.items():
         for threads in (1, 2):
-            works[f"{kind}: {SIDES[threads - 1]}"] = batch(design, varied, ROWS, threads=threads, in_motion=in_motion)
-        works[f"{kind}: {SIDES[2]}"] = _beside_another(design, varied, in_motion)
+            works[f"{kind}: {SIDES[threads - 1]}"] = batch(design, varied, rows, threads=threads, in_motion=in_motion)
+        works[f"{kind}: {SIDES[2]}"] = _beside_another(design, varied, rows, in_motion)
     return works
 
 
@@ -42,24 +41,24 @@ def table(seconds: Mapping[str, float]) -> str:
     return "".join(f"{row}\n" for row in rows)
 
 
-def _beside_another(design: Design, varied: str, in_motion: bool) -> Work:
+def _beside_another(design: Design, varied: str, rows: int, in_motion: bool) -> Work:
     """A batch on one thread while another process does the same."""
-    own = batch(design, varied, ROWS, in_motion=in_motion)
+    own = batch(design, varied, rows, in_motion=in_motion)
     context = multiprocessing.get_context("spawn")
     ours, its = context.Pipe()
-    context.Process(target=_serve, args=(its, design, varied, in_motion), daemon=True).start()
+    context.Process(target=_serve, args=(its, design, varied, rows, in_motion), daemon=True).start()
 
     def run() -> None:
         ours.send("go")
         own.run()
         ours.recv()
 
-    return Work(run, 2 * ROWS)
+    return Work(run, 2 * rows)
 
 
-def _serve(connection: Connection, design: Design, varied: str, in_motion: bool) -> None:
+def _serve(connection: Connection, design: Design, varied: str, rows: int, in_motion: bool) -> None:
     """Do the batch each time the other end asks for it."""
-    work = batch(design, varied, ROWS, in_motion=in_motion)
+    work = batch(design, varied, rows, in_motion=in_motion)
     with suppress(EOFError):  # there is no other end any more
         while connection.recv() == "go":
             work.run()

@@ -12,7 +12,7 @@ from tests.studio.socket_client import SocketClient
 
 W0 = "wave_generator.w0"
 PAUSE_S = 0.25
-# Half of it is deep interference, where an analysis takes up to 0.1 s.
+# Half of it is deep interference, where an analysis takes up to 25 ms.
 RANGE_MM = 0.80, 0.88
 
 

@@ -121,16 +121,12 @@ impl ToothMotion {
         let lengths = curve.lengths_to_stations();
         let share = PARTS as f64 / lengths[lengths.len() - 1];
         let part = |length: f64| ((length * share) as usize).min(PARTS - 1);
-        let mut stations = curve.stations();
-        let mut last = stations.next().map(|station| (station, self.frame(&station)));
-        for (station, ends) in stations.zip(lengths.windows(2)) {
-            let now = (station, self.frame(&station));
-            if let Some(last) = last.replace(now) {
-                let found = self.between_stations(&last, &now);
-                whole = whole.most(found);
-                for bounds in &mut parts[part(ends[0])..=part(ends[1])] {
-                    *bounds = bounds.most(found);
-                }
+        let frames: Vec<_> = curve.stations().map(|station| self.frame(station)).collect();
+        for (stations, lengths) in frames.windows(2).zip(lengths.windows(2)) {
+            let found = self.between(&stations[0], &stations[1]);
+            whole = whole.most(found);
+            for bounds in &mut parts[part(lengths[0])..=part(lengths[1])] {
+                *bounds = bounds.most(found);
             }
         }
         LocalBounds {
@@ -139,28 +135,28 @@ impl ToothMotion {
         }
     }
 
-    /// Bounds between two points of the curve that follow each other, with their frames.
-    fn between_stations(&self, last: &(CurvePoint, Frame), now: &(CurvePoint, Frame)) -> MotionBounds {
+    /// Bounds between two points of the curve that follow each other.
+    fn between(&self, last: &Frame, now: &Frame) -> MotionBounds {
         let h = self.pitch;
-        let step = (now.0.position - last.0.position).norm();
-        let turning_rate = h * h * (now.0.curvature - last.0.curvature) / step;
-        let mut found = MotionBounds { least_convex_radius: self.least_convex_radius, ..MotionBounds::default() };
-        for Frame { tangent, turning, speed, bend } in [&last.1, &now.1] {
-            let at_origin = *bend + *tangent * (self.height * turning_rate);
+        let step = (now.point.position - last.point.position).norm();
+        let turning_rate = h * h * (now.point.curvature - last.point.curvature) / step;
+        let at = |frame: &Frame| {
+            let turning = frame.turning.abs();
             let by_distance = turning * turning + turning_rate.abs();
-            found = found.most(MotionBounds {
-                slope: speed + turning.abs() * self.reach,
-                turning: turning.abs(),
-                acceleration: at_origin.norm() + by_distance * self.reach + 2.0 * turning.abs() * speed,
+            let of_origin = frame.bend + frame.tangent * (self.height * turning_rate);
+            MotionBounds {
+                slope: frame.speed + turning * self.reach,
+                turning,
+                acceleration: of_origin.norm() + by_distance * self.reach + 2.0 * turning * frame.speed,
                 acceleration_by_distance: by_distance,
-                ..found
-            });
-        }
-        found
+                least_convex_radius: self.least_convex_radius,
+            }
+        };
+        at(last).most(at(now))
     }
 
     /// What the bounds need of one point of the curve.
-    fn frame(&self, station: &CurvePoint) -> Frame {
+    fn frame(&self, station: CurvePoint) -> Frame {
         let (normal, tangent, curvature) = (station.normal, station.normal.clockwise(), station.curvature);
         let (h, turn) = (self.pitch, self.space_angle);
         let position = station.position + normal * self.height;
@@ -168,6 +164,7 @@ impl ToothMotion {
         let velocity = tangent * (h * stretch);
         let bend = normal * (-curvature * stretch * h * h);
         Frame {
+            point: station,
             tangent,
             turning: h * curvature - turn,
             speed: (velocity - position.clockwise() * turn).norm(),
@@ -179,6 +176,7 @@ impl ToothMotion {
 /// The motion of a tooth at one point of the curve.
 #[derive(Clone, Copy)]
 struct Frame {
+    point: CurvePoint,
     tangent: Point,
     /// Of the tooth against its space (rad per index).
     turning: f64,

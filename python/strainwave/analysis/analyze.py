@@ -20,6 +20,7 @@ from strainwave.analysis.witness import Witnesses
 from strainwave.design import Design
 from strainwave.errors import StrainwaveError
 from strainwave.geometry import Geometry
+from strainwave.threshold import check_threshold
 from strainwave.units import MICROMETRES_PER_MM
 
 # Far more turns than any study needs, and so few that tooth numbers stay exact.
@@ -79,7 +80,7 @@ def counted_below(analysis: Analysis, threshold_um: float) -> Analysis:
 
     ``StrainwaveError`` where the threshold is not positive.
     """
-    _check_threshold(threshold_um)
+    check_threshold(threshold_um)
     return replace(analysis, threshold_um=threshold_um, teeth_below=_teeth_below(analysis.gap_curve, threshold_um))
 
 
@@ -88,15 +89,10 @@ def _teeth_below(curve: GapCurve, threshold_um: float) -> ToothCount:
 
 
 def _check_arguments(threshold_um: float, generator_angle_deg: float) -> None:
-    _check_threshold(threshold_um)
+    check_threshold(threshold_um)
     if not abs(generator_angle_deg) <= GREATEST_ANGLE_DEG:
         allowed = f"from -{GREATEST_ANGLE_DEG:.0f} to {GREATEST_ANGLE_DEG:.0f} degrees"
         raise StrainwaveError(f"the generator angle must be {allowed}, not {generator_angle_deg:g}")
-
-
-def _check_threshold(threshold_um: float) -> None:
-    if not (math.isfinite(threshold_um) and threshold_um > 0.0):
-        raise StrainwaveError(f"the threshold must be a positive number of micrometres, not {threshold_um:g}")
 
 
 def _nearest_to_axis(index: NDArray[np.float64], gap_um: NDArray[np.float64] | None = None) -> int:

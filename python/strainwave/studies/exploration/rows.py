@@ -47,8 +47,8 @@ def _evaluated(plan: Plan, category: Category, values: Floats) -> tuple[dict[str
     )
     found: dict[str, Floats] = {name: np.array(batch.columns[name]) for name in plan.metrics}
     if plan.in_motion:
-        # What interferes at angle 0 interferes in motion, and in deep interference the search takes a hundred times
-        # as long.
+        # What interferes at angle 0 interferes in motion, and in deep interference the search takes many times as
+        # long.
         free = batch.min_backlash_um >= 0.0
         found |= {name: np.full(len(values), np.nan) for name in metric.IN_MOTION}
         if free.any():

@@ -19,7 +19,7 @@ from strainwave.studies.sweeping.axis import Axis
 from strainwave.studies.sweeping.swept import NOT_COMPUTED, Sweep
 
 MOST_ROWS = 1_000_000
-# So many rows between two reports of progress; a certified minimum in motion takes up to a hundred times as long.
+# So many rows between two reports of progress; a certified minimum in motion takes many times as long.
 ROWS_AT_ONCE, ROWS_IN_MOTION_AT_ONCE = 2000, 24
 
 
