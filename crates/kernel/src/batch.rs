@@ -141,7 +141,9 @@ impl Batch {
         };
         let mut order: Vec<usize> = (0..self.rows).collect();
         let size = (self.rows / (CELLS_PER_THREAD * rayon::current_num_threads())).clamp(FEW_ROWS, MOST_ALIKE);
-        let answers: Option<Vec<_>> = self.cells(&mut order, size).into_par_iter().map(cell).collect();
+        // One cell at a time: a thread that is done takes the next, while others are still at theirs.
+        let cells = self.cells(&mut order, size).into_par_iter().with_max_len(1);
+        let answers: Option<Vec<_>> = cells.map(cell).collect();
         let mut in_order: Vec<Option<_>> = (0..self.rows).map(|_| None).collect();
         for (row, answer) in order.into_iter().zip(answers?.into_iter().flatten()) {
             in_order[row] = Some(answer);

@@ -16,12 +16,14 @@ from strainwave.batch.statuses import OK, OUT_OF_RANGE, STATUSES
 from strainwave.columns import Floats
 from strainwave.design import Design, DesignRows, Parameter, parameters_of
 from strainwave.errors import StrainwaveError
+from strainwave.threshold import check_threshold
 from strainwave.units import MICROMETRES_PER_MM
 
 CERTIFIED_TO_UM = 0.001
 GREATEST_THREADS = 1024
 
-Statuses = NDArray[np.str_]
+Codes = NDArray[np.int64]
+CODES = {status: place for place, status in enumerate(STATUSES)}
 
 
 def evaluate_batch(
@@ -50,8 +52,8 @@ def evaluate_batch(
     check_numbers(threshold_um, threads)
     chosen = parameters_of(design, _as_keys(parameters))
     table = _as_table(values, len(chosen))
-    rows, status = _possible_rows(design, chosen, table)
-    possible = status == OK
+    rows, codes = _possible_rows(design, chosen, table)
+    possible = codes == CODES[OK]
     columns = {name: np.full(len(table), np.nan) for name in names}
     if possible.any():
         found = evaluate_rows(
@@ -67,28 +69,27 @@ def evaluate_batch(
         for name, values_of in columns.items():
             values_of[possible] = metric.COLUMNS[name].read(found, design.flexspline.teeth)
         if any(found.errors):
-            status[possible] = [OK if code is None else code for code in found.errors]
+            codes[possible] = [CODES[code or OK] for code in found.errors]
+    status = np.array(STATUSES)[codes]
     for array in (table, status, *columns.values()):
         array.setflags(write=False)
     return Batch(design, tuple(parameter.key for parameter in chosen), table, threshold_um, status, columns)
 
 
-def _possible_rows(design: Design, parameters: tuple[Parameter, ...], table: Floats) -> tuple[DesignRows, Statuses]:
-    """The rows within all limits and rules, and the status of every row, which says what the others violate."""
-    status: Statuses = np.full(len(table), OK, dtype=f"U{max(map(len, STATUSES))}")
+def _possible_rows(design: Design, parameters: tuple[Parameter, ...], table: Floats) -> tuple[DesignRows, Codes]:
+    """The rows within all limits and rules, and the place in `STATUSES` of every row: what the others violate."""
     in_range = np.ones(len(table), dtype=np.bool_)
     for parameter, values in zip(parameters, table.T, strict=True):
         in_range &= parameter.quantity.holds(values)
-    status[~in_range] = OUT_OF_RANGE
     columns = np.ascontiguousarray(table[in_range].T)
     rows = DesignRows(design, dict(zip((parameter.key for parameter in parameters), columns, strict=True)))
-    refused = np.zeros(columns.shape[1], dtype=np.bool_)
-    within = status[in_range]
-    for code, found in rows.refusals():
-        within[found & ~refused] = code
-        refused |= found
-    status[in_range] = within
-    return (rows.chosen(~refused) if refused.any() else rows), status
+    within: Codes = np.full(columns.shape[1], CODES[OK])
+    for status, found in rows.refusals():
+        within[found & (within == CODES[OK])] = CODES[status]
+    codes: Codes = np.full(len(table), CODES[OUT_OF_RANGE])
+    codes[in_range] = within
+    refused = within != CODES[OK]
+    return (rows.chosen(~refused) if refused.any() else rows), codes
 
 
 def _as_keys(parameters: Sequence[str]) -> tuple[str, ...]:
@@ -111,8 +112,7 @@ def _as_table(values: ArrayLike, count: int) -> Floats:
 
 def check_numbers(threshold_um: float, threads: int) -> None:
     """StrainwaveError where the threshold is no positive length or the number of threads cannot be."""
-    if not (math.isfinite(threshold_um) and threshold_um > 0.0):
-        raise StrainwaveError(f"the threshold must be a positive number of micrometres, not {threshold_um:g}")
+    check_threshold(threshold_um)
     if type(threads) is not int or not 0 <= threads <= GREATEST_THREADS:
         raise StrainwaveError(f"threads must be a whole number from 0 (all cores) to {GREATEST_THREADS}, not {threads}")
 
