@@ -70,7 +70,7 @@ def evaluate_batch(
             values_of[possible] = metric.COLUMNS[name].read(found, design.flexspline.teeth)
         if any(found.errors):
             codes[possible] = [CODES[code or OK] for code in found.errors]
-    status = np.array(STATUSES)[codes]
+    status = np.array(STATUSES[: codes.max(initial=CODES[OK]) + 1])[codes]  # short names where all rows are ok
     for array in (table, status, *columns.values()):
         array.setflags(write=False)
     return Batch(design, tuple(parameter.key for parameter in chosen), table, threshold_um, status, columns)
