@@ -24,7 +24,7 @@ from strainwave import Design, load
 from strainwave.plots import picture_bytes
 
 DESIGN = "designs/case-study/cosine-calibrated.toml"
-ROUNDS, ROUNDS_OF_CORES = 5, 15
+ROUNDS, ROUNDS_OF_CORES = 5, 30
 ROWS = 10_000
 ROWS_OF_COSTS = 500
 POINTS = 1000
@@ -63,7 +63,7 @@ def blocks(design: Design) -> dict[str, str]:
         "speed": tables.sides(seconds, tables.SHORT),
         "speed-sides": tables.sides(seconds),
         "speed-accuracy": tables.accuracy(points),
-        "speed-cores": cores.table(seconds_a_design(cores.by_cores(design, ROWS), ROUNDS_OF_CORES)),
+        "speed-cores": cores.table(seconds_a_design(cores.by_cores(design, ROWS), ROUNDS_OF_CORES, min)),
         "speed-teeth": tables.teeth(seconds_a_design(costs.by_teeth(design, ROWS_OF_COSTS), ROUNDS), costs.TEETH),
         "speed-pieces": tables.pieces(seconds_a_design(costs.by_pieces(design, ROWS_OF_COSTS), ROUNDS), costs.PIECES),
         "speed-machine": f"{machine.description()}.\n",
