@@ -42,7 +42,8 @@ bench: $(VENV)/dev.stamp $(VENV)/kernel.stamp chromium ## Write every number tha
 
 docs: $(VENV)/dev.stamp $(VENV)/kernel.stamp ## Build the documentation site into site/
 	@test -n "$(DOCS_CONFIG)" || { echo "There is no mkdocs.yml yet."; exit 1; }
-	$(BIN)/mkdocs build --strict --quiet
+	@# The theme announces its successor before every build, which is no warning about these pages.
+	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --strict --quiet
 
 fmt: toolchain $(VENV)/dev.stamp ## Format Rust and Python, apply the linter's safe fixes
 	cargo fmt --all
