@@ -11,7 +11,7 @@ import pytest
 import typer
 
 from strainwave.cli import pictures
-from strainwave.cli.delivery import deliver
+from strainwave.cli.delivery import check_outputs, deliver
 from strainwave.design import save
 from strainwave.errors import StrainwaveError
 from tests.cli.command import run
@@ -86,6 +86,21 @@ def test_an_interrupted_study_is_delivered_and_exits_130(tmp_path: Path, capsys:
     assert stop.value.exit_code == 130
     assert (tmp_path / "a").exists()
     assert capsys.readouterr().out == "the report\n"
+
+
+@pytest.mark.parametrize("verb", [*VERBS, "analyze"])
+def test_two_outputs_in_one_file_are_refused(verb: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    save(small(), tmp_path / "small.toml")
+    (tmp_path / "link").symlink_to(tmp_path)
+    outputs = ["--csv", tmp_path / "a.png", "--plot", tmp_path / "link" / "a.png", "--force"]
+    outcome = run(capsys, verb, tmp_path / "small.toml", *VERBS.get(verb, []), *outputs)
+    assert (outcome.code, outcome.out) == (2, "")
+    assert "a.png: is named for two outputs" in outcome.err
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["link", "small.toml"]
+
+
+def test_a_device_takes_two_outputs() -> None:
+    check_outputs([], [Path("/dev/null"), Path("/dev/null")], overwrite=False)
 
 
 @pytest.mark.parametrize("verb", VERBS)

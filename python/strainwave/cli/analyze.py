@@ -48,16 +48,12 @@ def analyze(
     from strainwave.analysis import analyze as compute
     from strainwave.analysis import face_map
     from strainwave.cli.angle import degrees
+    from strainwave.cli.delivery import check_outputs
     from strainwave.cli.naming import naming
-    from strainwave.cli.pictures import check_picture, write_picture
+    from strainwave.cli.pictures import write_picture
     from strainwave.design import load
-    from strainwave.whole_file import check_free
 
-    for picture in (plot, face_plot):
-        check_picture(picture, overwrite=force)
-    for table in (csv, face_csv):
-        if table is not None:
-            check_free(table, overwrite=force)
+    check_outputs([plot, face_plot], [csv, face_csv], overwrite=force)
     count = _section_count(sections, asked_for=face_csv is not None or face_plot is not None)
     with naming(design):
         result = compute(load(design), threshold_um=threshold, generator_angle_deg=degrees(angle))

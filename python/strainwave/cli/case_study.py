@@ -24,9 +24,10 @@ def case_study(
 ) -> None:
     """Compute the article's four cases (µm, teeth) and set them beside the published figures."""
     from strainwave.analysis.case_study import CaseStudy
-    from strainwave.cli.pictures import check_picture, write_picture
+    from strainwave.cli.delivery import check_outputs
+    from strainwave.cli.pictures import write_picture
 
-    check_picture(plot, overwrite=force)
+    check_outputs([plot], [report], overwrite=force)
     if report is not None:
         from strainwave.report.report_file import check_report
 

@@ -56,7 +56,7 @@ def compare(
     from strainwave.studies import compare as compute
     from strainwave.studies.tuning.w0_scan import W0
 
-    check_outputs(plot, csv, overwrite=force)
+    check_outputs([plot], [csv], overwrite=force)
     with naming(design):
         base = load(design)
     if w0 is not None:

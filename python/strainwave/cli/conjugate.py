@@ -43,7 +43,7 @@ def conjugate(
     from strainwave.conjugation import conjugate as compute
     from strainwave.design import load, save
 
-    check_outputs(plot, out, overwrite=force)
+    check_outputs([plot], [out], overwrite=force)
     with naming(design):
         result = compute(load(design), of=of, tolerance_um=tolerance)
     deliver(

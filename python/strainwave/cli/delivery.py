@@ -29,15 +29,27 @@ class Result(Protocol):
 Found = TypeVar("Found", bound=Result)
 
 
-def check_outputs(picture: Path | None, *files: Path | None, overwrite: bool) -> None:
-    """Refuse a picture or a file that could not be written, before anything is computed for it."""
+def check_outputs(pictures: Sequence[Path | None], files: Sequence[Path | None], *, overwrite: bool) -> None:
+    """Refuse a picture or a file that could not be written, or would be lost, before anything is computed for it."""
     from strainwave.cli.pictures import check_picture
     from strainwave.whole_file import check_free
 
-    check_picture(picture, overwrite=overwrite)
+    for picture in pictures:
+        check_picture(picture, overwrite=overwrite)
     for file in files:
         if file is not None:
             check_free(file, overwrite=overwrite)
+    _check_apart([path for path in (*pictures, *files) if path is not None])
+
+
+def _check_apart(paths: Iterable[Path]) -> None:
+    """Refuse two outputs in one file, of which one would be lost; a device or a pipe takes them all."""
+    seen = set()
+    for path in paths:
+        place = path.resolve()
+        if place in seen and (place.is_file() or not place.exists()):
+            raise StrainwaveError(f"{path}: is named for two outputs; give each a file of its own")
+        seen.add(place)
 
 
 def deliver(

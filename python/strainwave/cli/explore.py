@@ -113,9 +113,9 @@ def explore(
     """Compute up to a hundred million designs of a space into a dataset, on this machine or a cluster, and read it."""
     from functools import partial
 
-    from strainwave.cli.delivery import deliver
+    from strainwave.cli.delivery import check_outputs, deliver
     from strainwave.cli.naming import naming
-    from strainwave.cli.pictures import check_picture, write_picture
+    from strainwave.cli.pictures import write_picture
     from strainwave.cli.progress import paced, watched
     from strainwave.cli.tables.exploration import exploration_report
     from strainwave.design import load
@@ -123,13 +123,9 @@ def explore(
     from strainwave.studies.exploration import explore as run
     from strainwave.studies.exploration.design_files import OWN_NAMES
     from strainwave.studies.exploration.requirements import check_report
-    from strainwave.whole_file import check_free
     from strainwave.whole_folder import check_folder_free
 
-    for picture in (plot, parallel):
-        check_picture(picture, overwrite=force)
-    if csv is not None:
-        check_free(csv, overwrite=force)
+    check_outputs([plot, parallel], [csv], overwrite=force)
     if designs is not None:
         check_folder_free(designs, OWN_NAMES, overwrite=force)
     wanted = _wanted(require or [])

@@ -78,7 +78,7 @@ def optimize(
     from strainwave.studies.optimization.design_files import OWN_NAMES
     from strainwave.whole_folder import check_folder_free
 
-    check_outputs(plot, csv, overwrite=force)
+    check_outputs([plot], [csv], overwrite=force)
     if out is not None:
         check_folder_free(out, OWN_NAMES, overwrite=force)
     free, required = ranges("--vary", vary), open_ranges("--require", require or [])

@@ -57,7 +57,7 @@ def sweep(
     from strainwave.design import load
     from strainwave.studies import sweep as compute
 
-    check_outputs(plot, csv, overwrite=force)
+    check_outputs([plot], [csv], overwrite=force)
     with naming(design), watched("rows") as progress:
         base = load(design)
         axes = [_axis(base, text) for text in vary]

@@ -46,7 +46,7 @@ def tolerance(
     from strainwave.geometry import Geometry
     from strainwave.studies.tolerance import analyze_tolerance, load_tolerances
 
-    check_outputs(plot, csv, overwrite=force)
+    check_outputs([plot], [csv], overwrite=force)
     with naming(design):
         loaded = load(design)
         Geometry.of(loaded)

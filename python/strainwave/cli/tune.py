@@ -44,7 +44,7 @@ def tune(
     from strainwave.design import load, save
     from strainwave.studies import tune as compute
 
-    check_outputs(plot, out, csv, overwrite=force)
+    check_outputs([plot], [out, csv], overwrite=force)
     with naming(design), watched("w0") as progress:
         result = compute(load(design), threshold_um=threshold, margin_um=margin, threads=threads, progress=progress)
 
