@@ -11,6 +11,7 @@ pub enum GeometryError {
     EmptyChain,
     BadSegment { segment: usize, length_mm: f64 },
     ArcTooLong { segment: usize, sweep_rad: f64 },
+    RadiusTooLarge { segment: usize, radius_mm: f64 },
     JoinGap { segment: usize, gap_mm: f64 },
     RadiusVanishes { segment: usize, radius_mm: f64, offset_mm: f64 },
     OffsetOpensJoin { segment: usize, offset_mm: f64 },
@@ -37,6 +38,7 @@ impl GeometryError {
             Self::EmptyChain => "empty-chain",
             Self::BadSegment { .. } => "bad-segment",
             Self::ArcTooLong { .. } => "arc-too-long",
+            Self::RadiusTooLarge { .. } => "radius-too-large",
             Self::JoinGap { .. } => "join-gap",
             Self::RadiusVanishes { .. } => "radius-vanishes",
             Self::OffsetOpensJoin { .. } => "offset-opens-join",
@@ -67,6 +69,9 @@ impl GeometryError {
             }
             Self::ArcTooLong { segment, sweep_rad } => {
                 vec![("segment", index(segment)), ("sweep_rad", sweep_rad)]
+            }
+            Self::RadiusTooLarge { segment, radius_mm } => {
+                vec![("segment", index(segment)), ("radius_mm", radius_mm)]
             }
             Self::JoinGap { segment, gap_mm } => {
                 vec![("segment", index(segment)), ("gap_mm", gap_mm)]
@@ -125,6 +130,9 @@ impl fmt::Display for GeometryError {
             }
             Self::ArcTooLong { segment, sweep_rad } => {
                 write!(f, "piece {segment} sweeps {:.3}°; an arc must sweep less than 180°", sweep_rad.to_degrees())
+            }
+            Self::RadiusTooLarge { segment, radius_mm } => {
+                write!(f, "piece {segment} has radius {radius_mm:.4e} mm, too large for where it lies to be known")
             }
             Self::JoinGap { segment, gap_mm } => {
                 write!(f, "piece {segment} starts {gap_mm:.3e} mm away from the end of the piece before it")

@@ -10,6 +10,11 @@ use crate::segment::Segment;
 
 /// Ends that lie closer than this fraction of the tooth height are one point.
 const JOIN: f64 = 1e-9;
+/// An arc's points are known to about this share (2⁻⁵³) of its radius, for they are found from its centre.
+const ROUNDING: f64 = 0.5 * f64::EPSILON;
+/// They must be known to this share of the tooth height. Only an arc longer than the tooth is high can be flatter
+/// without being kept as its chord.
+const KNOWN: f64 = 1e-7;
 /// Below this angle between normals (rad) a join is smooth.
 pub const SMOOTH: f64 = 1e-9;
 /// Far fewer teeth make no strain wave gear, and three pitches of root floor must stay below half a turn.
@@ -20,7 +25,7 @@ type Pieces = Vec<(Segment, Role)>;
 /// See [`Profile::new`](crate::Profile::new).
 pub fn finish(gear: &Gear, flank: &[Segment], offset: f64, fillet_radius: f64) -> Result<Pieces, GeometryError> {
     check_gear(gear)?;
-    check_chain(flank, (gear.addendum + gear.dedendum) * JOIN)?;
+    check_chain(flank, gear.addendum + gear.dedendum)?;
     for (what, value) in [("offset", offset), ("fillet radius", fillet_radius)] {
         if !value.is_finite() {
             return Err(GeometryError::NotFinite { what });
@@ -70,7 +75,8 @@ fn check_gear(gear: &Gear) -> Result<(), GeometryError> {
     Ok(())
 }
 
-fn check_chain(flank: &[Segment], join: f64) -> Result<(), GeometryError> {
+fn check_chain(flank: &[Segment], height: f64) -> Result<(), GeometryError> {
+    let join = height * JOIN;
     if flank.is_empty() {
         return Err(GeometryError::EmptyChain);
     }
@@ -83,7 +89,12 @@ fn check_chain(flank: &[Segment], join: f64) -> Result<(), GeometryError> {
         if length <= join {
             return Err(GeometryError::BadSegment { segment: index, length_mm: length });
         }
-        check_sweep(index, segment)?;
+        match segment {
+            Segment::Arc(arc) if arc.radius.abs() * ROUNDING > height * KNOWN => {
+                return Err(GeometryError::RadiusTooLarge { segment: index, radius_mm: arc.radius });
+            }
+            _ => check_sweep(index, segment)?,
+        }
     }
     for (index, pair) in flank.windows(2).enumerate() {
         let gap = (pair[1].start() - pair[0].end()).norm();

@@ -5,7 +5,9 @@ mod common;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use common::{Tooth, assert_near, cosine, flexspline, polar};
-use strainwave_kernel::{NeutralCurve, NeutralCurveModel, Point, Profile, RingPiece, RingShape, Segment};
+use strainwave_kernel::{
+    GeometryError, NeutralCurve, NeutralCurveModel, Point, Profile, RingPiece, RingShape, Segment,
+};
 
 #[test]
 fn a_negative_whole_turn_comes_back() {
@@ -65,6 +67,23 @@ fn an_arc_that_is_nearly_a_line_ends_where_the_line_does() {
         assert!((arc.start() - start).norm() < 1e-7, "{curvature}");
         assert!((arc.end() - end).norm() < 1e-7, "{curvature}: {:e}", (arc.end() - end).norm());
     }
+}
+
+#[test]
+fn an_arc_whose_place_rounding_hides_is_none() {
+    let tooth = flexspline();
+    let height = tooth.gear.addendum + tooth.gear.dedendum;
+    let (start, angle) = (Point::new(0.5, 0.8), FRAC_PI_2 - 0.1);
+    let profile = |radius: f64| {
+        // So long that it is no line for the kernel; the root circle cuts it.
+        let flank = [Segment::new(start, angle, 1.0 / radius, height.max(radius * 2.5e-9))];
+        Profile::new(tooth.gear, &flank, 0.0, 0.0)
+    };
+    let known = profile(1e6 * height).unwrap();
+    for pair in known.segments().windows(2) {
+        assert!((pair[1].start() - pair[0].end()).norm() < 1e-9 * height, "{pair:?}");
+    }
+    assert!(matches!(profile(2e9 * height), Err(GeometryError::RadiusTooLarge { segment: 0, .. })));
 }
 
 #[test]

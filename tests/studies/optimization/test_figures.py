@@ -86,3 +86,9 @@ def test_a_requirement_is_missed_by_its_distance_in_steps() -> None:
     assert missed == pytest.approx([0.0, 0.0, 2.0, 5.0, UNKNOWN_STEPS, UNKNOWN_STEPS])
     assert str(requirement) == "tip-land 0.2 to 0.3 mm"
     assert str(Requirement(FIGURES["play"], -math.inf, 3.0)) == "play at most 3 µm"
+
+
+def test_an_end_as_far_away_as_numbers_reach_is_missed_by_as_much_as_any() -> None:
+    for low, high in [(1e308, math.inf), (-math.inf, -1e308)]:
+        missed = Requirement(FIGURES["tip-land"], low, high).missed_steps({"tip-land": np.array([0.2])})
+        assert missed == pytest.approx(UNKNOWN_STEPS)

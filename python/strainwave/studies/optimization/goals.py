@@ -64,8 +64,10 @@ class Requirement:
     def missed_steps(self, figures: Mapping[str, Floats]) -> Floats:
         """By how many of the figure's steps each row misses it, 0 where it is met, (rows,)."""
         values = figures[self.figure.name]
-        missed = np.maximum(np.maximum(self.low - values, values - self.high), 0.0) / self.figure.step
-        return np.where(np.isnan(values), UNKNOWN_STEPS, np.minimum(missed, UNKNOWN_STEPS))
+        missed = np.maximum(np.maximum(self.low - values, values - self.high), 0.0)
+        # Cut before it is divided: an end may be as far away as numbers reach.
+        steps = np.minimum(missed, UNKNOWN_STEPS * self.figure.step) / self.figure.step
+        return np.where(np.isnan(values), UNKNOWN_STEPS, steps)
 
     def __str__(self) -> str:
         unit = f" {self.figure.unit}"
