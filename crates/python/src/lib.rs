@@ -12,11 +12,6 @@ mod profile;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 
-/// Batches build and drop thousands of small parts on all cores, and the memory of large arrays again and again:
-/// ARCHITECTURE.md says what it brings.
-#[global_allocator]
-static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
-
 #[pymodule(gil_used = false)]
 fn _kernel(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add("GeometryError", m.py().get_type::<error::GeometryError>())?;
