@@ -17,7 +17,7 @@ class Chain:
     """Points and the pieces between them, in modules; angles in rad, clockwise from y."""
 
     x: Floats
-    """Shape (rows, n + 1)."""
+    """Shape (rows, n + 1); of those that do not vary there may be one row."""
     y: Floats
     radius: Floats
     """> 0 convex, < 0 concave, infinite for a line; shape (rows, n)."""
@@ -38,7 +38,7 @@ class Chain:
 
     @cached_property
     def _half_turn(self) -> Floats:
-        ratio = np.zeros_like(self.chord)
+        ratio = np.zeros(self.possible.shape)
         np.divide(self.chord, 2.0 * np.abs(self.radius), out=ratio, where=self.possible)
         return np.copysign(arcsin(ratio), self.radius)
 
@@ -64,7 +64,7 @@ class Chain:
         is_line = np.isinf(self.radius)
         radius = np.where(is_line, 1.0, self.radius) * module
         leaving, arriving = self.leaving, self.arriving
-        rows, count = np.broadcast_shapes(self.chord.shape, module.shape)
+        rows, count = np.broadcast_shapes(self.chord.shape, self.radius.shape, module.shape)
         flanks = np.empty((rows, count, 5))
         flanks[..., 0] = self.x[:, :-1] * module
         flanks[..., 1] = self.y[:, :-1] * module
