@@ -5,11 +5,11 @@
 //! other, so the results do not depend on the number of threads.
 
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 use rayon::prelude::*;
 
 use crate::body::Body;
+use crate::cancellation::{IsCancelled, NOT_CANCELLED};
 use crate::engagement::Engagement;
 use crate::error::GeometryError;
 use crate::gap_curve::{BOTH_FLANKS, GapCurve};
@@ -17,7 +17,7 @@ use crate::gear::Gear;
 use crate::motion::MotionMinimum;
 use crate::neutral_curve::{NeutralCurve, NeutralCurveModel};
 use crate::profile::Profile;
-use crate::ring_shape::SampledShape;
+use crate::ring_shape::{RingShape, SampledShape};
 use crate::segment::Segment;
 use crate::vicinity::Vicinity;
 
@@ -50,8 +50,17 @@ pub struct CurveSpec {
 /// See [`NeutralCurve::polar`] and [`NeutralCurve::ellipse`].
 #[derive(Clone, Debug)]
 pub enum CurveForm {
-    Polar(NeutralCurveModel, Result<Arc<SampledShape>, GeometryError>),
+    Polar(NeutralCurveModel, Shape),
     Ellipse { offset: f64 },
+}
+
+/// The displacement of a row's ring.
+#[derive(Clone, Debug)]
+pub enum Shape {
+    /// One that many rows have, sampled once for all of them.
+    Shared(Result<Arc<SampledShape>, GeometryError>),
+    /// The row's own, sampled where the row is built: samples of a whole batch would fill the memory.
+    Own(RingShape),
 }
 
 /// One for the whole batch, or one for each row.
@@ -108,8 +117,12 @@ impl Batch {
         rows <= FEW_ROWS
     }
 
-    /// Evaluates every row; `None` if `cancelled` was set before all were done.
-    pub fn evaluate(&self, question: &Question, cancelled: &AtomicBool) -> Option<Vec<Result<Metrics, GeometryError>>> {
+    /// Evaluates every row; `None` if `is_cancelled` said so before all were done.
+    pub fn evaluate(
+        &self,
+        question: &Question,
+        is_cancelled: IsCancelled,
+    ) -> Option<Vec<Result<Metrics, GeometryError>>> {
         let flexspline = shared(&self.flexsplines, |spec| spec.build().map(Body::flexspline));
         let circular_spline = shared(&self.circular_splines, |spec| spec.build().map(Body::circular_spline));
         let curve = shared(&self.curves, CurveSpec::build);
@@ -120,24 +133,29 @@ impl Batch {
                 part(&curve, &self.curves, row, CurveSpec::build)?,
             )
         };
+        let answer = |engagement: &Result<Engagement, GeometryError>, vicinity: Option<&mut Vicinity>| {
+            if is_cancelled() {
+                return None;
+            }
+            let engagement = match engagement {
+                Ok(engagement) => engagement,
+                Err(error) => return Some(Err(error.clone())),
+            };
+            let curve = match vicinity {
+                Some(vicinity) => GapCurve::beside(vicinity, engagement),
+                None => GapCurve::new(engagement, &BOTH_FLANKS, 0.0),
+            };
+            engagement.answers(&mut curve.until(is_cancelled), question).map(Ok)
+        };
         if Self::is_small(self.rows) {
-            return (0..self.rows).map(|index| unless(cancelled, || Ok(row(index)?.metrics(question)))).collect();
+            return (0..self.rows).map(|index| answer(&row(index), None)).collect();
         }
         let cell = |rows: &mut [usize]| {
             let engagements: Vec<_> = rows.iter().map(|&index| row(index)).collect();
             let mut built = engagements.iter().flatten();
             let mut vicinity =
                 built.clone().nth(built.clone().count() / 2).map(|center| Vicinity::new(center, &mut built));
-            let answer = |engagement: &Result<Engagement, GeometryError>| {
-                let (engagement, vicinity) = (engagement.as_ref().map_err(Clone::clone)?, vicinity.as_mut());
-                let mut curve = match vicinity {
-                    Some(vicinity) => GapCurve::beside(vicinity, engagement),
-                    None => GapCurve::new(engagement, &BOTH_FLANKS, 0.0),
-                };
-                Ok(engagement.answers(&mut curve, question))
-            };
-            let mut answer = answer;
-            engagements.iter().map(|engagement| unless(cancelled, || answer(engagement))).collect::<Option<Vec<_>>>()
+            engagements.iter().map(|engagement| answer(engagement, vicinity.as_mut())).collect::<Option<Vec<_>>>()
         };
         let mut order: Vec<usize> = (0..self.rows).collect();
         let size = (self.rows / (CELLS_PER_THREAD * rayon::current_num_threads())).clamp(FEW_ROWS, MOST_ALIKE);
@@ -150,11 +168,6 @@ impl Batch {
         }
         in_order.into_iter().collect()
     }
-}
-
-/// The answer, unless it is not wanted any more.
-fn unless<T>(cancelled: &AtomicBool, answer: impl FnOnce() -> T) -> Option<T> {
-    if cancelled.load(Ordering::Relaxed) { None } else { Some(answer()) }
 }
 
 type Shared<T> = Option<Result<Arc<T>, GeometryError>>;
@@ -190,10 +203,17 @@ impl ProfileSpec {
 impl CurveSpec {
     fn build(&self) -> Result<NeutralCurve, GeometryError> {
         match &self.form {
-            CurveForm::Polar(model, shape) => {
-                NeutralCurve::polar(self.radius, self.w0, *model, shape.as_ref().map_err(Clone::clone)?)
-            }
+            CurveForm::Polar(model, shape) => NeutralCurve::polar(self.radius, self.w0, *model, &shape.sampled()?),
             CurveForm::Ellipse { offset } => NeutralCurve::ellipse(self.radius, self.w0, *offset),
+        }
+    }
+}
+
+impl Shape {
+    fn sampled(&self) -> Result<Arc<SampledShape>, GeometryError> {
+        match self {
+            Self::Shared(sampled) => sampled.clone(),
+            Self::Own(shape) => shape.clone().sampled().map(Arc::new),
         }
     }
 }
@@ -201,17 +221,17 @@ impl CurveSpec {
 impl Engagement {
     /// The answers for one design.
     pub fn metrics(&self, question: &Question) -> Metrics {
-        self.answers(&mut GapCurve::new(self, &BOTH_FLANKS, 0.0), question)
+        self.answers(&mut GapCurve::new(self, &BOTH_FLANKS, 0.0), question).expect(NOT_CANCELLED)
     }
 
-    /// The same from the gap curve of both flanks.
-    fn answers(&self, curve: &mut GapCurve, question: &Question) -> Metrics {
+    /// The same from the gap curve of both flanks; `None` where that was cancelled.
+    fn answers(&self, curve: &mut GapCurve, question: &Question) -> Option<Metrics> {
         let (teeth, in_motion) = match question.in_motion {
             Some(tolerance) => {
-                let (teeth, minimum) = curve.distribution_and_minimum(tolerance);
+                let (teeth, minimum) = curve.distribution_and_minimum(tolerance)?;
                 (teeth, Some(minimum))
             }
-            None => (curve.distribution(), None),
+            None => (curve.distribution()?, None),
         };
         let least = teeth.iter().copied().fold(teeth[0], |least, tooth| if tooth.1 < least.1 { tooth } else { least });
         let (mut teeth_below, mut interfering, mut first_interfering) = (0, 0, None);
@@ -225,16 +245,16 @@ impl Engagement {
                 first_interfering = first_interfering.or(Some(k as u32));
             }
         }
-        Metrics {
+        Some(Metrics {
             min_gap: least.1,
             min_index: least.0,
             teeth_below,
             interfering,
             first_interfering,
-            play: if question.play { self.play_of_teeth(&teeth) } else { None },
+            play: if question.play { self.play_of_teeth(&teeth, curve)? } else { None },
             radial: question.radial.then(|| self.least_radial_clearances(&teeth)),
             in_motion,
-        }
+        })
     }
 
     fn least_radial_clearances(&self, teeth: &[(f64, f64)]) -> (f64, f64) {
@@ -247,8 +267,9 @@ impl Engagement {
     /// The least circumferential backlash of the given teeth (index and gap) and their mirror images.
     ///
     /// A turn by an arc moves no point of a tooth farther than arc · farthest/r, so a tooth with a gap of g has a backlash
-    /// of at least g r/farthest: taken in the order of their gaps, a few teeth settle it.
-    fn play_of_teeth(&self, teeth: &[(f64, f64)]) -> Option<f64> {
+    /// of at least g r/farthest: taken in the order of their gaps, a few teeth settle it. `None` where `curve` is not
+    /// wanted any more.
+    fn play_of_teeth(&self, teeth: &[(f64, f64)], curve: &GapCurve) -> Option<Option<f64>> {
         let mut order = teeth.to_vec();
         order.sort_by(|a, b| a.1.total_cmp(&b.1));
         let share = self.circular_spline().gear.pitch_radius / self.farthest();
@@ -257,9 +278,10 @@ impl Engagement {
             if gap >= 0.0 && least.is_some_and(|play| gap * share >= play) {
                 break;
             }
+            curve.wanted()?;
             let arcs = self.circumferential(k);
             least = [least, arcs.left, arcs.right].into_iter().flatten().reduce(f64::min);
         }
-        least
+        Some(least)
     }
 }

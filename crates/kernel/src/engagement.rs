@@ -5,6 +5,7 @@ use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
 use crate::body::{Body, RingTooth};
+use crate::cancellation::NOT_CANCELLED;
 use crate::clearance::{Clearance, clearance, overlap_gap};
 use crate::error::GeometryError;
 use crate::gap_curve::{BOTH_FLANKS, GapCurve};
@@ -152,7 +153,7 @@ impl Engagement {
 
     /// The backlash of these teeth, by index.
     pub fn distribution(&self) -> Vec<(f64, f64)> {
-        GapCurve::new(self, &BOTH_FLANKS, 0.0).distribution()
+        GapCurve::new(self, &BOTH_FLANKS, 0.0).distribution().expect(NOT_CANCELLED)
     }
 
     /// Signed clearance of one flank of a tooth whose outline is given in the frame of its space.

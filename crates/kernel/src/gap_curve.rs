@@ -1,6 +1,7 @@
 //! The gap of a tooth over its index.
 
 use crate::body::Body;
+use crate::cancellation::{IsCancelled, NEVER};
 use crate::corners::{self, Room};
 use crate::engagement::{Engagement, Flank};
 use crate::pose::Pose;
@@ -20,6 +21,7 @@ pub struct GapCurve<'a> {
     /// Begun when it is needed.
     pursuit: Option<Pursuit>,
     rooms: Rooms,
+    is_cancelled: IsCancelled<'a>,
 }
 
 /// Distances that proofs of smoothness ask for.
@@ -43,7 +45,18 @@ pub struct Sample {
 
 impl<'a> GapCurve<'a> {
     pub fn new(engagement: &'a Engagement, flanks: &'static [Flank], turn: f64) -> Self {
-        Self { engagement, flanks, turn, neighbour: None, pursuit: None, rooms: Rooms::default() }
+        let (neighbour, pursuit, rooms) = (None, None, Rooms::default());
+        Self { engagement, flanks, turn, neighbour, pursuit, rooms, is_cancelled: NEVER }
+    }
+
+    /// The same curve, whose search ends without an answer once `is_cancelled` says so.
+    pub fn until(self, is_cancelled: IsCancelled<'a>) -> Self {
+        Self { is_cancelled, ..self }
+    }
+
+    /// `None` where nobody wants the curve any more.
+    pub fn wanted(&self) -> Option<()> {
+        (!(self.is_cancelled)()).then_some(())
     }
 
     /// The curve of both flanks, with the same numbers, beside what is known of similar designs.
@@ -55,8 +68,8 @@ impl<'a> GapCurve<'a> {
         self.engagement
     }
 
-    /// Samples at some indices, best in order.
-    pub fn samples(&mut self, indices: &[f64]) -> Vec<Sample> {
+    /// Samples at some indices, best in order; `None` where nobody wants them any more.
+    pub fn samples(&mut self, indices: &[f64]) -> Option<Vec<Sample>> {
         let (poses, gaps) = match &mut self.neighbour {
             Some(neighbour) => {
                 let (poses, gaps) = neighbour.gaps(indices);
@@ -68,27 +81,28 @@ impl<'a> GapCurve<'a> {
             }
             None => (self.poses(indices), vec![f64::NAN; indices.len()]),
         };
-        let gaps = self.pursued(&poses, gaps);
+        let gaps = self.pursued(&poses, gaps)?;
         let sample = |((&index, gap), pose)| Sample { index, gap, pose, smooth_within: 0.0 };
-        indices.iter().zip(gaps).zip(poses).map(sample).collect()
+        Some(indices.iter().zip(gaps).zip(poses).map(sample).collect())
     }
 
     /// The gaps at some poses, of which those that are NaN are still to be found.
-    fn pursued(&mut self, poses: &[Pose], mut gaps: Vec<f64>) -> Vec<f64> {
+    fn pursued(&mut self, poses: &[Pose], mut gaps: Vec<f64>) -> Option<Vec<f64>> {
         let open: Vec<usize> = (0..gaps.len()).filter(|&i| gaps[i].is_nan()).collect();
         if !open.is_empty() {
             let poses: Vec<Pose> = open.iter().map(|&i| poses[i]).collect();
             let pursuit = self.pursuit.get_or_insert_with(|| Pursuit::new(self.engagement, self.flanks));
-            for (i, gap) in open.iter().zip(pursuit.gaps(&poses)) {
+            for (i, gap) in open.iter().zip(pursuit.gaps(&poses, self.is_cancelled)?) {
                 gaps[*i] = gap;
             }
         }
-        gaps
+        Some(gaps)
     }
 
-    /// See [`Engagement::distribution`].
-    pub fn distribution(&mut self) -> Vec<(f64, f64)> {
-        self.samples(&self.engagement.indices()).iter().map(|sample| (sample.index, sample.gap)).collect()
+    /// See [`Engagement::distribution`]; `None` where it was cancelled.
+    pub fn distribution(&mut self) -> Option<Vec<(f64, f64)>> {
+        let samples = self.samples(&self.engagement.indices())?;
+        Some(samples.iter().map(|sample| (sample.index, sample.gap)).collect())
     }
 
     /// Poses of the tooth in the frame of its space.

@@ -13,6 +13,7 @@ mod arc;
 mod arc_length;
 mod batch;
 mod body;
+mod cancellation;
 mod circumferential;
 mod clearance;
 mod closest;
@@ -52,8 +53,9 @@ mod ties;
 mod vicinity;
 
 pub use arc::Arc;
-pub use batch::{Batch, Column, CurveForm, CurveSpec, Metrics, ProfileSpec, Question};
+pub use batch::{Batch, Column, CurveForm, CurveSpec, Metrics, ProfileSpec, Question, Shape};
 pub use body::Body;
+pub use cancellation::{IsCancelled, NEVER};
 pub use clearance::{Clearance, Contact, ContactKind, clearance};
 pub use engagement::{Engagement, Flank, FlankPair};
 pub use error::GeometryError;

@@ -11,6 +11,7 @@
 //! corners farther apart than gap + L h exclude corner on corner; and in an overlap, where the nearest piece of a body
 //! may change at a corner (an upward kink), the second bound is used only after [`free_of_ties`] has excluded that.
 
+use crate::cancellation::NOT_CANCELLED;
 use crate::circumferential::{MOST_STEPS_IN_MOTION, turn_to_contact};
 use crate::engagement::{Engagement, Flank};
 use crate::gap_curve::{BOTH_FLANKS, GapCurve, Sample};
@@ -40,7 +41,8 @@ pub struct MotionMinimum {
 impl Engagement {
     /// The least gap of both flanks over all indices, certified to `tolerance` (mm).
     pub fn minimum_in_motion(&self, tolerance: f64) -> MotionMinimum {
-        GapCurve::new(self, &BOTH_FLANKS, 0.0).distribution_and_minimum(tolerance).1
+        let found = GapCurve::new(self, &BOTH_FLANKS, 0.0).distribution_and_minimum(tolerance);
+        found.expect(NOT_CANCELLED).1
     }
 
     /// The least circumferential backlash (mm) of one flank over all indices, within `tolerance`; `None` where half a
@@ -51,13 +53,14 @@ impl Engagement {
             let mut curve = GapCurve::new(self, &[Flank::Right], turn);
             let count = (2.0 * quarter).ceil() as usize;
             let indices: Vec<f64> = (0..=count).map(|i| quarter * (2.0 * i as f64 / count as f64 - 1.0)).collect();
-            let samples = curve.samples(&indices);
+            let samples = curve.samples(&indices).expect(NOT_CANCELLED);
+            let mut minimum = |within| curve.minimum(samples.clone(), within).expect(NOT_CANCELLED);
             // Far from contact a rough minimum is enough for the next step.
             let mut within = ROUGH * self.motion().pitch;
-            let mut least = curve.minimum(samples.clone(), within);
+            let mut least = minimum(within);
             while within > 0.25 * tolerance && least.gap.abs() < 10.0 * within {
                 within = (0.01 * within).max(0.25 * tolerance);
-                least = curve.minimum(samples.clone(), within);
+                least = minimum(within);
             }
             let tooth = self.tooth().posed(&curve.pose(least.index));
             self.approach(&self.flank(&tooth, Flank::Right), Flank::Right)
@@ -74,27 +77,27 @@ struct Interval {
 }
 
 impl GapCurve<'_> {
-    /// The distribution and the certified least gap, whose search starts from it.
-    pub fn distribution_and_minimum(&mut self, tolerance: f64) -> (Vec<(f64, f64)>, MotionMinimum) {
+    /// The distribution and the certified least gap, whose search starts from it; `None` where it was cancelled.
+    pub fn distribution_and_minimum(&mut self, tolerance: f64) -> Option<(Vec<(f64, f64)>, MotionMinimum)> {
         let (mut indices, quarter) = (self.engagement().indices(), self.engagement().quarter());
         let teeth = indices.len();
         // A number of teeth that is no multiple of 4 has its minor axis between teeth.
         if indices[teeth - 1] < quarter {
             indices.push(quarter);
         }
-        let samples = self.samples(&indices);
+        let samples = self.samples(&indices)?;
         let distribution = samples[..teeth].iter().map(|sample| (sample.index, sample.gap)).collect();
-        (distribution, self.minimum(samples, tolerance))
+        Some((distribution, self.minimum(samples, tolerance)?))
     }
 
-    /// The least gap between the first and the last of some samples, which ascend.
-    fn minimum(&mut self, mut samples: Vec<Sample>, tolerance: f64) -> MotionMinimum {
+    /// The least gap between the first and the last of some samples, which ascend; `None` where it was cancelled.
+    fn minimum(&mut self, mut samples: Vec<Sample>, tolerance: f64) -> Option<MotionMinimum> {
         let narrowest = NARROWEST * (samples[samples.len() - 1].index - samples[0].index);
         let mut least = samples.iter().copied().fold(samples[0], lesser);
         let mut proved = f64::INFINITY;
         let mut open: Vec<Interval> = Vec::new();
         for end in 1..samples.len() {
-            open.push(self.interval(&mut samples, [end - 1, end], least.gap - tolerance));
+            open.push(self.interval(&mut samples, [end - 1, end], least.gap - tolerance)?);
         }
         while !open.is_empty() {
             let (mut split, mut middles) = (Vec::new(), Vec::new());
@@ -110,20 +113,23 @@ impl GapCurve<'_> {
             }
             // All middles at once, in order: poses stay near each other.
             let first = samples.len();
-            samples.extend(self.samples(&middles));
+            samples.extend(self.samples(&middles)?);
             least = samples[first..].iter().copied().fold(least, lesser);
             let target = least.gap - tolerance;
             for (middle, [start, end]) in (first..).zip(split) {
-                open.push(self.interval(&mut samples, [start, middle], target));
-                open.push(self.interval(&mut samples, [middle, end], target));
+                open.push(self.interval(&mut samples, [start, middle], target)?);
+                open.push(self.interval(&mut samples, [middle, end], target)?);
             }
         }
         let evaluations = samples.len();
-        MotionMinimum { gap: least.gap, index: least.index, lower_bound: proved.min(least.gap), evaluations }
+        let lower_bound = proved.min(least.gap);
+        Some(MotionMinimum { gap: least.gap, index: least.index, lower_bound, evaluations })
     }
 
-    /// The interval with the best lower bound that is at hand; `target` is what it has to reach.
-    fn interval(&mut self, samples: &mut [Sample], ends: [usize; 2], target: f64) -> Interval {
+    /// The interval with the best lower bound that is at hand; `target` is what it has to reach. `None` where the
+    /// search was cancelled.
+    fn interval(&mut self, samples: &mut [Sample], ends: [usize; 2], target: f64) -> Option<Interval> {
+        self.wanted()?;
         let [start, end] = ends.map(|end| samples[end]);
         let width = end.index - start.index;
         let bounds = self.engagement().bounds().between(start.index, end.index);
@@ -132,7 +138,7 @@ impl GapCurve<'_> {
         // The proof of smoothness costs; it is sought only where it settles the interval.
         let settles = by_slope < target && by_curvature >= target;
         let is_smooth = settles && ends.iter().all(|&end| self.smooth_around(&mut samples[end], 0.5 * width));
-        Interval { ends, lower_bound: if is_smooth { by_curvature } else { by_slope } }
+        Some(Interval { ends, lower_bound: if is_smooth { by_curvature } else { by_slope } })
     }
 }
 

@@ -12,6 +12,7 @@
 use pulp::{Arch, Simd, WithSimd};
 
 use crate::body::RingTooth;
+use crate::cancellation::IsCancelled;
 use crate::engagement::{Engagement, Flank};
 use crate::facing::Posed;
 use crate::feature::Feature;
@@ -125,11 +126,11 @@ impl Pursuit {
         }
     }
 
-    /// The signed clearances at some poses, in order.
-    pub fn gaps(&mut self, poses: &[Pose]) -> Vec<f64> {
+    /// The signed clearances at some poses, in order; `None` once `is_cancelled`.
+    pub fn gaps(&mut self, poses: &[Pose], is_cancelled: IsCancelled) -> Option<Vec<f64>> {
         let mut gaps = Vec::with_capacity(poses.len());
-        Arch::new().dispatch(Gaps { pursuit: self, poses, gaps: &mut gaps });
-        gaps
+        Arch::new().dispatch(Gaps { pursuit: self, poses, gaps: &mut gaps, is_cancelled });
+        (gaps.len() == poses.len()).then_some(gaps)
     }
 
     /// Calls `each` for groups of some poses, in order, with all pairs that are near at any of the group, or with none
@@ -161,6 +162,7 @@ struct Gaps<'a> {
     pursuit: &'a mut Pursuit,
     poses: &'a [Pose],
     gaps: &'a mut Vec<f64>,
+    is_cancelled: IsCancelled<'a>,
 }
 
 impl WithSimd for Gaps<'_> {
@@ -169,6 +171,9 @@ impl WithSimd for Gaps<'_> {
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
         for poses in self.poses.chunks(S::F64_LANES) {
+            if (self.is_cancelled)() {
+                return;
+            }
             let ways = Ways::to(simd, self.pursuit, poses);
             let found = closest(self.pursuit, &Poses::new(simd, poses), &ways, None);
             self.pursuit.arrived = (found[poses.len() - 1], self.pursuit.way);

@@ -3,13 +3,13 @@
 mod common;
 
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use common::{MODULE, NEUTRAL_RADIUS, Tooth, circular_spline, flexspline};
 use rayon::ThreadPoolBuilder;
 use strainwave_kernel::{
-    Batch, Column, CurveForm, CurveSpec, Engagement, GeometryError, Metrics, NeutralCurveModel, ProfileSpec, Question,
-    RingShape,
+    Batch, Column, CurveForm, CurveSpec, Engagement, GeometryError, Metrics, NEVER, NeutralCurveModel, ProfileSpec,
+    Question, RingShape, Shape,
 };
 
 const QUESTION: Question = Question { threshold: 0.01, play: true, radial: true, in_motion: Some(1e-6) };
@@ -19,7 +19,7 @@ fn spec(tooth: &Tooth) -> ProfileSpec {
 }
 
 fn curve(w0: f64) -> CurveSpec {
-    let shape = RingShape::Harmonics(vec![0.0, 1.0]).sampled().map(Arc::new);
+    let shape = Shape::Own(RingShape::Harmonics(vec![0.0, 1.0]));
     CurveSpec { radius: NEUTRAL_RADIUS, w0, form: CurveForm::Polar(NeutralCurveModel::FirstOrder, shape) }
 }
 
@@ -35,12 +35,12 @@ fn varying(rows: usize) -> Batch {
 }
 
 fn evaluate_with(batch: &Batch, question: &Question) -> Vec<Result<Metrics, GeometryError>> {
-    batch.evaluate(question, &AtomicBool::new(false)).unwrap()
+    batch.evaluate(question, NEVER).unwrap()
 }
 
 fn evaluate(batch: &Batch, threads: usize) -> Vec<Result<Metrics, GeometryError>> {
     let pool = ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-    pool.install(|| batch.evaluate(&QUESTION, &AtomicBool::new(false))).unwrap()
+    pool.install(|| batch.evaluate(&QUESTION, NEVER)).unwrap()
 }
 
 #[test]
@@ -191,5 +191,27 @@ fn a_row_that_cannot_be_built_stops_nothing() {
 
 #[test]
 fn a_cancelled_batch_has_no_answer() {
-    assert!(varying(100).evaluate(&QUESTION, &AtomicBool::new(true)).is_none());
+    for rows in [1, 100] {
+        assert!(varying(rows).evaluate(&QUESTION, &|| true).is_none());
+    }
+}
+
+/// Each row asks several times for every tooth whether it is still wanted, and is left at once where it is not.
+#[test]
+fn a_row_is_cancelled_in_its_middle() {
+    let pool = ThreadPoolBuilder::new().num_threads(1).build().unwrap();
+    for rows in [1, 9] {
+        let batch = varying(rows);
+        let asked_until = |last: usize| {
+            let asked = AtomicUsize::new(0);
+            let is_cancelled = || asked.fetch_add(1, Ordering::Relaxed) + 1 >= last;
+            let is_done = pool.install(|| batch.evaluate(&QUESTION, &is_cancelled)).is_some();
+            (is_done, asked.into_inner())
+        };
+        let (is_done, all) = asked_until(usize::MAX);
+        assert!(is_done && all > 60 * rows, "{all} for {rows} rows");
+        for last in [2, 10, all / 2, all] {
+            assert_eq!(asked_until(last), (false, last));
+        }
+    }
 }

@@ -1,14 +1,15 @@
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::RecvTimeoutError;
-use std::time::Duration;
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{Duration, Instant};
 
+use numpy::ndarray::{ArrayView1, ArrayView2};
 use numpy::{AllowTypeChange, PyArrayDyn, PyArrayLike1, PyArrayLike2, PyArrayLike3};
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use strainwave_kernel::{
-    self as kernel, Column, CurveForm, CurveSpec, GeometryError, Metrics, NeutralCurveModel, Question, RingPiece,
-    RingShape, SampledShape,
+    self as kernel, Column, CurveForm, CurveSpec, GeometryError, IsCancelled, Metrics, NeutralCurveModel, Question,
+    RingPiece, RingShape, Shape,
 };
 
 use crate::array::{self, Array};
@@ -52,16 +53,12 @@ pub fn values(argument: &Numbers1<'_>) -> Vec<f64> {
     argument.as_array().to_vec()
 }
 
-type Shape = Result<Arc<SampledShape>, GeometryError>;
-
 #[pymethods]
 impl BatchCurves {
     #[staticmethod]
     fn harmonics(radius: Numbers1<'_>, w0: Numbers1<'_>, model: &str, coefficients: Table2<'_>) -> PyResult<Self> {
-        let shape = |row: numpy::ndarray::ArrayView1<'_, f64>| RingShape::Harmonics(row.to_vec());
-        let shapes: Vec<Shape> =
-            coefficients.as_array().rows().into_iter().map(|row| shape(row).sampled().map(Arc::new)).collect();
-        Self::polar(&radius, &w0, model, &shapes)
+        let shapes = coefficients.as_array().rows().into_iter().map(|row| RingShape::Harmonics(row.to_vec())).collect();
+        Self::polar(&radius, &w0, model, shapes)
     }
 
     #[staticmethod]
@@ -70,19 +67,10 @@ impl BatchCurves {
         if pieces.shape()[2] != 6 {
             return Err(PyValueError::new_err(format!("a stretch has 6 numbers, got {}", pieces.shape()[2])));
         }
-        let piece = |r: numpy::ndarray::ArrayView1<'_, f64>| RingPiece {
-            phi_end: r[0],
-            p: r[1],
-            c: r[2],
-            c_phi: r[3],
-            s: r[4],
-            s_phi: r[5],
-        };
-        let shapes: Vec<Shape> = pieces
-            .outer_iter()
-            .map(|rows| RingShape::Pieces(rows.rows().into_iter().map(piece).collect()).sampled().map(Arc::new))
-            .collect();
-        Self::polar(&radius, &w0, model, &shapes)
+        let piece =
+            |r: ArrayView1<'_, f64>| RingPiece { phi_end: r[0], p: r[1], c: r[2], c_phi: r[3], s: r[4], s_phi: r[5] };
+        let shape = |rows: ArrayView2<'_, f64>| RingShape::Pieces(rows.rows().into_iter().map(piece).collect());
+        Self::polar(&radius, &w0, model, pieces.outer_iter().map(shape).collect())
     }
 
     #[staticmethod]
@@ -98,10 +86,15 @@ impl BatchCurves {
 }
 
 impl BatchCurves {
-    fn polar(radius: &Numbers1<'_>, w0: &Numbers1<'_>, name: &str, shapes: &[Shape]) -> PyResult<Self> {
+    /// A shape that all rows have is sampled here; those of single rows where the batch is evaluated, on its threads.
+    fn polar(radius: &Numbers1<'_>, w0: &Numbers1<'_>, name: &str, shapes: Vec<RingShape>) -> PyResult<Self> {
         let model: NeutralCurveModel = model(name)?;
         let (radius, w0) = (values(radius), values(w0));
         let rows = rows(&[radius.len(), w0.len(), shapes.len()])?;
+        let shapes: Vec<Shape> = match <[RingShape; 1]>::try_from(shapes) {
+            Ok([shape]) => vec![Shape::Shared(shape.sampled().map(Arc::new))],
+            Err(shapes) => shapes.into_iter().map(Shape::Own).collect(),
+        };
         Ok(Self(column(rows, |row| CurveSpec {
             radius: at(&radius, row),
             w0: at(&w0, row),
@@ -137,10 +130,10 @@ pub fn evaluate_batch(
     let pool = if is_small { None } else { pool(threads)? };
     let answer = py.detach(|| {
         if is_small {
-            return Ok(batch().evaluate(&question, &AtomicBool::new(false)));
+            return stoppable_here(|is_cancelled| batch().evaluate(&question, is_cancelled));
         }
-        stoppable(|cancelled| {
-            let evaluate = || batch().evaluate(&question, cancelled);
+        stoppable(|is_cancelled| {
+            let evaluate = || batch().evaluate(&question, is_cancelled);
             match &pool {
                 Some(pool) => pool.install(evaluate),
                 None => evaluate(),
@@ -157,14 +150,31 @@ fn length<T>(column: &Column<T>) -> usize {
     }
 }
 
+/// Runs `work`, which is too short for a thread of its own, and looks for Ctrl-C when it asks whether it is cancelled.
+fn stoppable_here<T>(work: impl FnOnce(IsCancelled) -> T) -> PyResult<T> {
+    let watch = Mutex::new((Instant::now(), None));
+    let answer = work(&|| {
+        let (looked, interrupt) = &mut *watch.lock().unwrap_or_else(PoisonError::into_inner);
+        if interrupt.is_none() && looked.elapsed() >= PATIENCE {
+            *interrupt = Python::attach(|py| py.check_signals()).err();
+            *looked = Instant::now();
+        }
+        interrupt.is_some()
+    });
+    match watch.into_inner().unwrap_or_else(PoisonError::into_inner).1 {
+        Some(interrupt) => Err(interrupt),
+        None => Ok(answer),
+    }
+}
+
 /// Runs `work` on a thread of its own and looks for Ctrl-C meanwhile.
-fn stoppable<T: Send>(work: impl FnOnce(&AtomicBool) -> T + Send) -> PyResult<T> {
+fn stoppable<T: Send>(work: impl FnOnce(IsCancelled) -> T + Send) -> PyResult<T> {
     let cancelled = AtomicBool::new(false);
     let (sender, receiver) = std::sync::mpsc::channel();
     std::thread::scope(|scope| {
         let cancelled = &cancelled;
         // Sending fails only after an interrupt, when nobody waits for the answer.
-        scope.spawn(move || drop(sender.send(work(cancelled))));
+        scope.spawn(move || drop(sender.send(work(&|| cancelled.load(Ordering::Relaxed)))));
         loop {
             match receiver.recv_timeout(PATIENCE) {
                 Ok(answer) => return Ok(answer),

@@ -1,11 +1,10 @@
 //! Any batch, some of its parts shared and some of a row's own: every row is answered as the same design alone is.
 
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
 
 use strainwave_kernel::{
-    Batch, Column, CurveForm, CurveSpec, Engagement, Gear, GeometryError, Metrics, NeutralCurve, Point, Profile,
-    ProfileSpec, Question, Segment,
+    Batch, Column, CurveForm, CurveSpec, Engagement, Gear, GeometryError, Metrics, NEVER, NeutralCurve, Point, Profile,
+    ProfileSpec, Question, RingShape, SampledShape, Segment, Shape,
 };
 
 use super::design;
@@ -24,7 +23,7 @@ pub fn check_family(bytes: &[u8]) {
 }
 
 fn check_batch(batch: &Batch, question: &Question) {
-    let answers = batch.evaluate(question, &AtomicBool::new(false)).expect("nobody has cancelled it");
+    let answers = batch.evaluate(question, NEVER).expect("nobody has cancelled it");
     assert_eq!(answers.len(), batch.rows);
     for (row, answer) in answers.iter().enumerate() {
         // As text, so that two numbers that are none are the same.
@@ -33,7 +32,7 @@ fn check_batch(batch: &Batch, question: &Question) {
             check_metrics(metrics);
         }
     }
-    assert!(batch.rows == 0 || batch.evaluate(question, &AtomicBool::new(true)).is_none());
+    assert!(batch.rows == 0 || batch.evaluate(question, &|| true).is_none());
 }
 
 fn draw_batch(draw: &mut Draw) -> (Batch, Question) {
@@ -126,9 +125,15 @@ fn curve_spec(draw: &mut Draw, module: f64, teeth: u32) -> CurveSpec {
     let form = if draw.below(5) == 0 {
         CurveForm::Ellipse { offset: draw.number(0.0, 0.05) * radius }
     } else {
-        CurveForm::Polar(design::model(draw), design::shape(draw).sampled().map(Arc::new))
+        let (model, shape) = (design::model(draw), design::shape(draw));
+        let is_shared = teeth % 2 == 0;
+        CurveForm::Polar(model, if is_shared { Shape::Shared(sampled(&shape)) } else { Shape::Own(shape) })
     };
     CurveSpec { radius, w0: module * draw.number(0.8, 1.08), form }
+}
+
+fn sampled(shape: &RingShape) -> Result<Arc<SampledShape>, GeometryError> {
+    shape.clone().sampled().map(Arc::new)
 }
 
 /// The design of one row without the batch.
@@ -137,9 +142,8 @@ fn alone(batch: &Batch, row: usize, question: &Question) -> Result<Metrics, Geom
     let circular_spline = profile(of_row(&batch.circular_splines, row))?;
     let CurveSpec { radius, w0, form } = of_row(&batch.curves, row);
     let curve = match form {
-        CurveForm::Polar(model, shape) => {
-            NeutralCurve::polar(*radius, *w0, *model, shape.as_ref().map_err(Clone::clone)?)
-        }
+        CurveForm::Polar(model, Shape::Shared(shape)) => NeutralCurve::polar(*radius, *w0, *model, &shape.clone()?),
+        CurveForm::Polar(model, Shape::Own(shape)) => NeutralCurve::polar(*radius, *w0, *model, &sampled(shape)?),
         CurveForm::Ellipse { offset } => NeutralCurve::ellipse(*radius, *w0, *offset),
     }?;
     Ok(Engagement::new(flexspline, circular_spline, curve)?.metrics(question))
