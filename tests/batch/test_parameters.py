@@ -36,12 +36,16 @@ def test_every_number_of_a_design_can_vary(generator: str, profile: str) -> None
         (["module", "flexspline..teeth", "w0"], "2 faults"),
         ([""], "is not a dotted key"),
         ("module", "parameters must be a list of dotted keys"),
+        (["wave_generator.roller_diameter"], 'belongs to [wave_generator] of kind "two-roller" or "four-roller"'),
         ([1], "parameters must be a list of dotted keys"),
+        (None, "parameters must be a list of dotted keys"),
+        (5, "parameters must be a list of dotted keys"),
     ],
 )
 def test_a_parameter_that_is_none_is_one_clear_error(parameters: Any, message: str) -> None:
+    columns = len(parameters) if isinstance(parameters, (str, list)) else 1
     with pytest.raises(StrainwaveError) as caught:
-        evaluate_batch(case(), parameters, np.zeros((1, len(parameters))))
+        evaluate_batch(case(), parameters, np.zeros((1, columns)))
     assert message in str(caught.value)
 
 
@@ -57,7 +61,23 @@ def test_an_optional_number_that_another_key_shuts_out() -> None:
 
 
 @pytest.mark.parametrize(
-    "values", [[0.848], [[0.848, 0.9]], 0.848, [[[0.848]]], [["a"]], [[0.8], [0.8, 0.9]], None, [[1j]], [[10**400]]]
+    "values",
+    [
+        [0.848],
+        [[0.848, 0.9]],
+        0.848,
+        [[[0.848]]],
+        [["a"]],
+        [["0.848"]],
+        [[0.8], [0.8, 0.9]],
+        None,
+        [[True]],
+        [[1j]],
+        np.array([[1j]]),
+        np.array([["2026-01-01"]], dtype="datetime64[D]"),
+        np.ma.masked_array([[0.848]], mask=[[True]]),
+        [[10**400]],
+    ],
 )
 def test_values_that_are_no_table_of_numbers(values: Any) -> None:
     with pytest.raises(StrainwaveError, match=r"values must be an array of numbers of shape \(rows, 1\)"):
@@ -70,13 +90,25 @@ def test_values_that_are_no_table_of_numbers(values: Any) -> None:
         ({"metrics": ["backlash"]}, "metrics must be a list of min_backlash_um"),
         ({"metrics": "min_backlash_um"}, "metrics must be a list"),
         ({"metrics": ["min_in_motion_um"]}, "in_motion=True adds min_in_motion_um"),
+        ({"metrics": 5}, "metrics must be a list"),
+        ({"metrics": [["min_tooth"]]}, "metrics must be a list"),
+        ({"threshold_um": "10"}, "threshold must be a positive number of micrometres, not '10'"),
         ({"threshold_um": 0.0}, "threshold must be a positive number"),
         ({"threshold_um": float("nan")}, "threshold must be a positive number"),
         ({"threads": -1}, "threads must be a whole number from 0"),
         ({"threads": 10**6}, "threads must be a whole number from 0"),
+        ({"threads": True}, "threads must be a whole number from 0"),
         ({"threads": 1.5}, "threads must be a whole number from 0"),
     ],
 )
 def test_options_that_cannot_be(options: dict[str, Any], message: str) -> None:
     with pytest.raises(StrainwaveError, match=message):
         evaluate_batch(case(), ["wave_generator.w0"], [[0.848]], **options)
+
+
+def test_numbers_and_keys_of_other_types() -> None:
+    """What NumPy and Python count as a whole number, and keys that can be read once only."""
+    plain = evaluate_batch(case(), ["wave_generator.w0"], [[0.848]])
+    keys = (key for key in ["wave_generator.w0"])
+    other = evaluate_batch(case(), keys, np.array([[0.848]], dtype=object), threads=np.int64(2))  # type: ignore[arg-type]
+    assert other.min_backlash_um.tolist() == plain.min_backlash_um.tolist()

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from numbers import Integral
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -92,17 +94,22 @@ def _possible_rows(design: Design, parameters: tuple[Parameter, ...], table: Flo
     return (rows.chosen(~refused) if refused.any() else rows), codes
 
 
-def _as_keys(parameters: Sequence[str]) -> tuple[str, ...]:
-    if isinstance(parameters, str) or any(type(key) is not str for key in parameters):
+def _as_keys(parameters: Any) -> tuple[str, ...]:
+    is_list = isinstance(parameters, Iterable) and not isinstance(parameters, str)
+    keys: tuple[Any, ...] = tuple(parameters) if is_list else (None,)
+    if any(type(key) is not str for key in keys):
         raise StrainwaveError('parameters must be a list of dotted keys, such as ["wave_generator.w0"]')
-    return tuple(parameters)
+    return keys
 
 
 def _as_table(values: ArrayLike, count: int) -> Floats:
     """A copy of the values, (rows, count)."""
     wanted = f"values must be an array of numbers of shape (rows, {count}), a column for each parameter"
     try:
-        table: Floats = np.array(values, dtype=np.float64)
+        given = np.asanyarray(values)
+        if given.dtype.kind not in "iufO" or np.ma.is_masked(given):
+            raise TypeError
+        table: Floats = np.array(given, dtype=np.float64)
     except (TypeError, ValueError, OverflowError):
         raise StrainwaveError(wanted) from None
     if table.ndim != 2 or table.shape[1] != count:
@@ -113,8 +120,10 @@ def _as_table(values: ArrayLike, count: int) -> Floats:
 def check_numbers(threshold_um: float, threads: int) -> None:
     """StrainwaveError where the threshold is no positive length or the number of threads cannot be."""
     check_threshold(threshold_um)
-    if type(threads) is not int or not 0 <= threads <= GREATEST_THREADS:
-        raise StrainwaveError(f"threads must be a whole number from 0 (all cores) to {GREATEST_THREADS}, not {threads}")
+    if not (isinstance(threads, Integral) and not isinstance(threads, bool) and 0 <= threads <= GREATEST_THREADS):
+        raise StrainwaveError(
+            f"threads must be a whole number from 0 (all cores) to {GREATEST_THREADS}, not {threads!r}"
+        )
 
 
 def _threshold_mm(threshold_um: float) -> float:

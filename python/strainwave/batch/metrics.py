@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -69,8 +69,9 @@ METRICS = (*ALWAYS, *PLAY, *RADIAL)
 
 def asked(metrics: Sequence[str] | None, in_motion: bool) -> tuple[str, ...]:
     """The columns to compute, in their own order; StrainwaveError where a name is none."""
-    chosen = set(ALWAYS if metrics is None else metrics)
-    if isinstance(metrics, str) or not chosen <= set(METRICS):
+    is_list = isinstance(metrics, Iterable) and not isinstance(metrics, str)
+    chosen = list(ALWAYS) if metrics is None else list(metrics) if is_list else [None]
+    if any(name not in METRICS for name in chosen):
         raise StrainwaveError(
             f"metrics must be a list of {', '.join(METRICS)}; in_motion=True adds {', '.join(IN_MOTION)}"
         )

@@ -108,10 +108,17 @@ def _nearest(place: Place, root: type[Spec]) -> str:
     close = difflib.get_close_matches(place.name[:100].lower(), names, n=1, cutoff=0.5)
     if close:
         return f"Did you mean {close[0]}?"
-    homes = [key for key, table in _all_tables(root) if place.name in table.model_fields and table is not place.table]
-    if homes:
-        return f"{shown_text(place.name)} belongs to [{homes[0]}]" if homes[0] else "Write it above the first table"
-    return "Known there: " + ", ".join(names)
+    homes = [home for home in _all_tables(root) if place.name in home[1].model_fields and home[1] is not place.table]
+    if not homes:
+        return "Known there: " + ", ".join(names)
+    first = homes[0][0]
+    if not first:
+        return "Write it above the first table"
+    kinds = [
+        table.model_fields["kind"].default for key, table in homes if key == first and "kind" in table.model_fields
+    ]
+    of_kind = f" of kind {' or '.join(map(_toml, kinds))}" if kinds else ""
+    return f"{shown_text(place.name)} belongs to [{first}]{of_kind}"
 
 
 def _all_tables(table: type[Spec], key: str = "") -> Iterable[tuple[str, type[Spec]]]:
