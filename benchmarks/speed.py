@@ -64,8 +64,12 @@ def blocks(design: Design) -> dict[str, str]:
         "speed-sides": tables.sides(seconds),
         "speed-accuracy": tables.accuracy(points),
         "speed-cores": cores.table(seconds_a_design(cores.by_cores(design, ROWS), ROUNDS_OF_CORES, min)),
-        "speed-teeth": tables.teeth(seconds_a_design(costs.by_teeth(design, ROWS_OF_COSTS), ROUNDS), costs.TEETH),
-        "speed-pieces": tables.pieces(seconds_a_design(costs.by_pieces(design, ROWS_OF_COSTS), ROUNDS), costs.PIECES),
+        "speed-teeth": tables.costs(
+            seconds_a_design(costs.by_teeth(design, ROWS_OF_COSTS), ROUNDS), "teeth of the flexspline", costs.TEETH
+        ),
+        "speed-pieces": tables.costs(
+            seconds_a_design(costs.by_pieces(design, ROWS_OF_COSTS), ROUNDS), "pieces in each flank", costs.PIECES
+        ),
         "speed-machine": f"{machine.description()}.\n",
     }
 

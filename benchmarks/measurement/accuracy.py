@@ -31,7 +31,8 @@ class Point:
     points: int | None
     seconds: float
     error_um: float
-    """The greatest error of any tooth's backlash that is not beyond `GREATEST_BACKLASH_UM`."""
+    """The greatest error of any tooth's backlash that is not beyond `GREATEST_BACKLASH_UM`, against the engine's; the
+    engine's own against the tests' brute force."""
 
 
 def error_against_time(design: Design, rounds: int) -> list[Point]:

@@ -4,16 +4,18 @@ from __future__ import annotations
 
 import os
 import platform
+import subprocess
 from importlib.metadata import version
 from pathlib import Path
 
-LIBRARIES = ("numpy", "scipy", "shapely")
+LIBRARIES = ("strainwave", "numpy", "scipy", "shapely")
 
 
 def description() -> str:
     """Processor, cores and versions, in one sentence."""
     libraries = ", ".join(f"{name} {version(name)}" for name in LIBRARIES)
-    return f"{os.cpu_count()} cores of {_processor()}; Python {platform.python_version()}, {libraries}"
+    compiler = subprocess.run(["rustc", "--version"], capture_output=True, text=True, check=True).stdout.split()[1]
+    return f"{os.cpu_count()} cores of {_processor()}; Rust {compiler}, Python {platform.python_version()}, {libraries}"
 
 
 def _processor() -> str:

@@ -46,17 +46,11 @@ def accuracy(points: list[Point]) -> str:
     return _text(rows)
 
 
-def teeth(seconds: Mapping[str, float], counts: tuple[int, ...]) -> str:
-    """Time for one design by number of teeth."""
-    rows = ["| teeth of the flexspline | all teeth at angle 0 | with the minimum in motion |", "|--:|--:|--:|"]
-    rows += [f"| {z} | {shown(seconds[f'at 0 {z}'])} | {shown(seconds[f'in motion {z}'])} |" for z in counts]
+def costs(seconds: Mapping[str, float], counted: str, counts: tuple[int, ...]) -> str:
+    """Time for one design by a number of what is counted."""
+    rows = [f"| {counted} | all teeth at angle 0 | with the minimum in motion |", "|--:|--:|--:|"]
+    rows += [f"| {n} | {shown(seconds[f'at 0 {n}'])} | {shown(seconds[f'in motion {n}'])} |" for n in counts]
     return _text(rows)
-
-
-def pieces(seconds: Mapping[str, float], counts: tuple[int, ...]) -> str:
-    """Time for one design by number of pieces in a flank."""
-    rows = ["| pieces in each flank | all teeth at angle 0 |", "|--:|--:|"]
-    return _text([*rows, *(f"| {count} | {shown(seconds[str(count)])} |" for count in counts)])
 
 
 def shown(seconds: float) -> str:
