@@ -24,7 +24,10 @@ import logging
 from collections.abc import Awaitable, Callable, Iterator
 
 import pytest
+from nicegui import Client, background_tasks
 from nicegui.testing import User, user_simulation
+
+from tests.studio.waiting import until
 
 Steps = Callable[[User], Awaitable[None]]
 Visit = Callable[[Callable[[], object], Steps], None]
@@ -37,6 +40,17 @@ def _own_loop() -> Iterator[None]:
     asyncio._set_running_loop(None)
     yield
     asyncio._set_running_loop(others)
+
+
+async def _sending_ended() -> None:
+    """End the loops that send updates.
+
+    At shutdown NiceGUI cancels them, but asyncio.wait_for, as it is before Python 3.12, does not hear it where an
+    update has just come; NiceGUI then waits for two seconds and logs an error.
+    """
+    for client in Client.instances.values():
+        client.outbox.stop()
+    await until(lambda: not any(task.get_name().startswith("outbox loop") for task in background_tasks.running_tasks))
 
 
 @pytest.fixture
@@ -52,8 +66,7 @@ def visit(caplog: pytest.LogCaptureFixture) -> Iterator[Visit]:
         async with user_simulation(page) as user:
             await user.open("/")
             await steps(user)
-            # NiceGUI's loop that sends updates does not hear that it is cancelled where an update has just come.
-            await asyncio.sleep(0.05)
+            await _sending_ended()
 
     yield lambda build, steps: asyncio.run(visited(build, steps))
     errors = [record.getMessage() for record in caplog.get_records("call") if record.levelno >= logging.ERROR]
