@@ -55,7 +55,7 @@ CASES: list[tuple[str, Design, dict[str, float], str]] = [
     ("ring-too-thin", case(), {"circular_spline.outer_diameter": 166.6}, "above 166.64 mm"),
     ("tip-not-reached", case(), {f"{FLEXSPLINE}.addendum": 2.5}, "does not reach the addendum circle"),
     ("tip-pointed", case(), {f"{FLEXSPLINE}.tip_arc_center[0]": -0.9}, "no tip land is left"),
-    ("not-positive", case(), {f"{CIRCULAR_SPLINE}.addendum": 103.5}, "tip radius"),
+    ("not-positive", case(), {f"{CIRCULAR_SPLINE}.addendum": 103.5}, "tip radius is -0.4000 mm"),
     (
         "arc-too-long",
         case(),

@@ -6,7 +6,7 @@ use std::fmt;
 #[derive(Clone, Debug, PartialEq)]
 pub enum GeometryError {
     NotFinite { what: &'static str },
-    NotPositive { what: &'static str, value: f64 },
+    NotPositive { what: &'static str, value_mm: f64 },
     TooFewTeeth { teeth: u32, least: u32 },
     EmptyChain,
     BadSegment { segment: usize, length_mm: f64 },
@@ -60,7 +60,7 @@ impl GeometryError {
     pub fn numbers(&self) -> Vec<(&'static str, f64)> {
         match *self {
             Self::NotFinite { .. } | Self::EmptyChain | Self::BadShape { .. } => vec![],
-            Self::NotPositive { value, .. } => vec![("value", value)],
+            Self::NotPositive { value_mm, .. } => vec![("value_mm", value_mm)],
             Self::TooFewTeeth { teeth, least } => {
                 vec![("teeth", teeth.into()), ("least", least.into())]
             }
@@ -118,8 +118,8 @@ impl fmt::Display for GeometryError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NotFinite { what } => write!(f, "{what} is not a finite number"),
-            Self::NotPositive { what, value } => {
-                write!(f, "{what} is {value}; it must be greater than 0")
+            Self::NotPositive { what, value_mm } => {
+                write!(f, "{what} is {value_mm:.4} mm; it must be greater than 0")
             }
             Self::TooFewTeeth { teeth, least } => {
                 write!(f, "{teeth} teeth are too few; at least {least} are needed")

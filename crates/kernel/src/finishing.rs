@@ -66,7 +66,7 @@ fn check_gear(gear: &Gear) -> Result<(), GeometryError> {
             return Err(GeometryError::NotFinite { what });
         }
         if value <= 0.0 {
-            return Err(GeometryError::NotPositive { what, value });
+            return Err(GeometryError::NotPositive { what, value_mm: value });
         }
     }
     if gear.teeth < LEAST_TEETH {

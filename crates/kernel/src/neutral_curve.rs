@@ -230,7 +230,7 @@ fn check_size(radius: f64, w0: f64) -> Result<(), GeometryError> {
             return Err(GeometryError::NotFinite { what });
         }
         if value <= 0.0 {
-            return Err(GeometryError::NotPositive { what, value });
+            return Err(GeometryError::NotPositive { what, value_mm: value });
         }
     }
     if w0 >= radius {
