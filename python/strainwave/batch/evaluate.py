@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from numbers import Integral
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -14,6 +13,7 @@ from strainwave._kernel import evaluate_batch as evaluate_rows
 from strainwave.batch import metrics as metric
 from strainwave.batch import parts
 from strainwave.batch.batch import Batch
+from strainwave.batch.names import names_in
 from strainwave.batch.statuses import OK, OUT_OF_RANGE, STATUSES
 from strainwave.columns import Floats
 from strainwave.design import Design, DesignRows, Parameter, parameters_of
@@ -94,9 +94,8 @@ def _possible_rows(design: Design, parameters: tuple[Parameter, ...], table: Flo
     return (rows.chosen(~refused) if refused.any() else rows), codes
 
 
-def _as_keys(parameters: Any) -> tuple[str, ...]:
-    is_list = isinstance(parameters, Iterable) and not isinstance(parameters, str)
-    keys: tuple[Any, ...] = tuple(parameters) if is_list else (None,)
+def _as_keys(parameters: Sequence[str]) -> tuple[str, ...]:
+    keys = names_in(parameters)
     if any(type(key) is not str for key in keys):
         raise StrainwaveError('parameters must be a list of dotted keys, such as ["wave_generator.w0"]')
     return keys

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from strainwave._kernel import BatchMetrics
+from strainwave.batch.names import names_in
 from strainwave.columns import Floats
 from strainwave.errors import StrainwaveError
 from strainwave.units import MICROMETRES_PER_MM
@@ -69,8 +70,7 @@ METRICS = (*ALWAYS, *PLAY, *RADIAL)
 
 def asked(metrics: Sequence[str] | None, in_motion: bool) -> tuple[str, ...]:
     """The columns to compute, in their own order; StrainwaveError where a name is none."""
-    is_list = isinstance(metrics, Iterable) and not isinstance(metrics, str)
-    chosen = list(ALWAYS) if metrics is None else list(metrics) if is_list else [None]
+    chosen = tuple(ALWAYS) if metrics is None else names_in(metrics)
     if any(name not in METRICS for name in chosen):
         raise StrainwaveError(
             f"metrics must be a list of {', '.join(METRICS)}; in_motion=True adds {', '.join(IN_MOTION)}"
