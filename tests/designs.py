@@ -7,6 +7,10 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
+from strainwave import Geometry
+from strainwave._kernel import Profile
 from strainwave.design import Design, load
 from strainwave.profiles import Gear
 
@@ -23,6 +27,29 @@ def case(name: str = "cosine") -> Design:
 def gear(module: float) -> Gear:
     """The case study's flexspline in another module."""
     return Gear.of(module, 204, internal=False)
+
+
+def in_pieces(design: Design, count: int) -> Design:
+    """The design with both flanks, which have no root fillet, as chains of `count` pieces: its own, split evenly."""
+    profiles = {
+        f"{spline}.profile": _chain(getattr(Geometry.of(design), spline), getattr(design, spline), design.module, count)
+        for spline in ("flexspline", "circular_spline")
+    }
+    return design.replace(profiles | {"flexspline.neutral_radius": design.neutral_radius_mm})
+
+
+def _chain(profile: Profile, spline: Any, module: float, count: int) -> dict[str, Any]:
+    flank = [number for number, role in enumerate(profile.roles) if role == "flank"]
+    start = profile.position(profile.knots[flank[0]]) / module
+    shares = np.diff(np.round(np.linspace(0, count, len(flank) + 1))).astype(int)
+    pieces = []
+    for number, share in zip(flank, shares, strict=True):
+        curvature = float(profile.segments[number, 3]) * module
+        radius = {"radius": 1.0 / curvature} if curvature else {}
+        ends = profile.position(np.linspace(profile.knots[number], profile.knots[number + 1], share + 1)[1:]) / module
+        pieces += [{"to": end} | radius for end in ends.tolist()]
+    depths = {"addendum": spline.profile.addendum, "dedendum": spline.profile.dedendum}
+    return {"kind": "pieces", "start": start.tolist(), "pieces": pieces} | depths
 
 
 def circular_spline_as_pieces() -> dict[str, Any]:

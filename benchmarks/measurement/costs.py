@@ -3,14 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
-
-import numpy as np
 
 from measurement.engine import batch
 from measurement.interleaved import Work
-from strainwave import Design, Geometry
-from strainwave._kernel import Profile
+from strainwave import Design
+from tests.designs import in_pieces
 
 TEETH = (50, 100, 200, 400, 700, 1000)
 PIECES = (4, 10, 25, 50, 100, 200)
@@ -37,37 +34,3 @@ def _costs(designs: Mapping[int, Design], count: int) -> dict[str, Work]:
 
 def _with_teeth(design: Design, teeth: int) -> Design:
     return design.replace({"flexspline.teeth": teeth, "circular_spline.teeth": teeth + 2})
-
-
-def in_pieces(design: Design, count: int) -> Design:
-    """The design with both flanks as chains of `count` arcs and lines: its own pieces, split evenly."""
-    geometry = Geometry.of(design)
-    return design.replace(
-        {
-            "flexspline.profile": _chain(geometry.flexspline, design.flexspline.profile, design.module, count),
-            "circular_spline.profile": _chain(
-                geometry.circular_spline, design.circular_spline.profile, design.module, count
-            ),
-            "flexspline.neutral_radius": design.neutral_radius_mm,
-        }
-    )
-
-
-def _chain(profile: Profile, spec: Any, module: float, count: int) -> dict[str, Any]:
-    flank = [number for number, role in enumerate(profile.roles) if role == "flank"]
-    shares = np.diff(np.round(np.linspace(0, count, len(flank) + 1))).astype(int)
-    pieces = []
-    for number, share in zip(flank, shares, strict=True):
-        start, end = profile.knots[number], profile.knots[number + 1]
-        curvature = float(profile.segments[number, 3]) * module
-        for u in np.linspace(start, end, share + 1)[1:]:
-            radius = {"radius": 1.0 / curvature} if curvature else {}
-            pieces.append({"to": (profile.position(u) / module).tolist()} | radius)
-    begin = (profile.position(profile.knots[flank[0]]) / module).tolist()
-    return {
-        "kind": "pieces",
-        "addendum": spec.addendum,
-        "dedendum": spec.dedendum,
-        "start": begin,
-        "pieces": pieces,
-    }

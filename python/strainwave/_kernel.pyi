@@ -153,9 +153,10 @@ class Engagement:
         """Flexspline tip to circular-spline root circle, circular-spline tip circle to flexspline root floor;
         shape index.shape + (2,)."""
     def minimum_in_motion(self, tolerance: float) -> MotionMinimum:
-        """The least gap over all real indices, certified to `tolerance` mm."""
+        """The least gap over all real indices, certified to `tolerance` mm. Ctrl-C stops the search."""
     def play_in_motion(self, tolerance: float) -> float:
-        """The least circumferential backlash over all real indices, mm, within `tolerance`; nan where none."""
+        """The least circumferential backlash over all real indices, mm, within `tolerance`; nan where none. Ctrl-C
+        stops the search."""
 
 @final
 class Clearances:

@@ -25,14 +25,15 @@ pub struct Approach {
     pub closing: f64,
 }
 
-/// The least turn (rad) at which the gap is 0, going from 0 towards contact; `None` where half a pitch brings none.
+/// The least turn (rad) at which the gap is 0, going from 0 towards contact; `None` where half a pitch brings none,
+/// or where `approach` ends the search with none.
 ///
 /// The gap must not change faster than `farthest` per radian. A step of gap / farthest then cannot pass a zero
 /// (conservative advancement: B. Mirtich, 1996); where the flank closes at a fair share of that speed, Newton's step is
 /// taken instead. An overlap is turned back by Newton's steps, so the result is negative; `None` too where the overlap is
 /// radial.
 pub fn turn_to_contact(
-    mut approach: impl FnMut(f64) -> Approach,
+    mut approach: impl FnMut(f64) -> Option<Approach>,
     farthest: f64,
     half_pitch: f64,
     tolerance: f64,
@@ -40,7 +41,7 @@ pub fn turn_to_contact(
 ) -> Option<f64> {
     let mut turn = 0.0;
     for _ in 0..most_steps {
-        let Approach { gap, closing } = approach(turn);
+        let Approach { gap, closing } = approach(turn)?;
         if gap.abs() <= tolerance {
             return Some(turn);
         }
@@ -71,7 +72,7 @@ impl Engagement {
         let tolerance = CONTACT * self.motion().space_angle * self.circular_spline().gear.pitch_radius;
         let approach = |turn| {
             let tooth = self.tooth().posed(&self.turned(pose, flank, turn));
-            self.approach(&self.flank(&tooth, flank), flank)
+            Some(self.approach(&self.flank(&tooth, flank), flank))
         };
         turn_to_contact(approach, self.farthest(), self.half_pitch(), tolerance, MOST_STEPS)
             .map(|turn| turn * self.circular_spline().gear.pitch_radius)

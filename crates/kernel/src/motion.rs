@@ -11,7 +11,7 @@
 //! corners farther apart than gap + L h exclude corner on corner; and in an overlap, where the nearest piece of a body
 //! may change at a corner (an upward kink), the second bound is used only after [`free_of_ties`] has excluded that.
 
-use crate::cancellation::NOT_CANCELLED;
+use crate::cancellation::IsCancelled;
 use crate::circumferential::{MOST_STEPS_IN_MOTION, turn_to_contact};
 use crate::engagement::{Engagement, Flank};
 use crate::gap_curve::{BOTH_FLANKS, GapCurve, Sample};
@@ -39,31 +39,31 @@ pub struct MotionMinimum {
 }
 
 impl Engagement {
-    /// The least gap of both flanks over all indices, certified to `tolerance` (mm).
-    pub fn minimum_in_motion(&self, tolerance: f64) -> MotionMinimum {
-        let found = GapCurve::new(self, &BOTH_FLANKS, 0.0).distribution_and_minimum(tolerance);
-        found.expect(NOT_CANCELLED).1
+    /// The least gap of both flanks over all indices, certified to `tolerance` (mm); `None` once `is_cancelled`.
+    pub fn minimum_in_motion(&self, tolerance: f64, is_cancelled: IsCancelled) -> Option<MotionMinimum> {
+        let mut curve = GapCurve::new(self, &BOTH_FLANKS, 0.0).until(is_cancelled);
+        Some(curve.distribution_and_minimum(tolerance)?.1)
     }
 
     /// The least circumferential backlash (mm) of one flank over all indices, within `tolerance`; `None` where half a
-    /// pitch brings no contact. By symmetry it is the same for the other flank.
-    pub fn play_in_motion(&self, tolerance: f64) -> Option<f64> {
+    /// pitch brings no contact, or once `is_cancelled`. By symmetry it is the same for the other flank.
+    pub fn play_in_motion(&self, tolerance: f64, is_cancelled: IsCancelled) -> Option<f64> {
         let quarter = self.quarter();
         let approach = |turn| {
-            let mut curve = GapCurve::new(self, &[Flank::Right], turn);
+            let mut curve = GapCurve::new(self, &[Flank::Right], turn).until(is_cancelled);
             let count = (2.0 * quarter).ceil() as usize;
             let indices: Vec<f64> = (0..=count).map(|i| quarter * (2.0 * i as f64 / count as f64 - 1.0)).collect();
-            let samples = curve.samples(&indices).expect(NOT_CANCELLED);
-            let mut minimum = |within| curve.minimum(samples.clone(), within).expect(NOT_CANCELLED);
+            let samples = curve.samples(&indices)?;
+            let mut minimum = |within| curve.minimum(samples.clone(), within);
             // Far from contact a rough minimum is enough for the next step.
             let mut within = ROUGH * self.motion().pitch;
-            let mut least = minimum(within);
+            let mut least = minimum(within)?;
             while within > 0.25 * tolerance && least.gap.abs() < 10.0 * within {
                 within = (0.01 * within).max(0.25 * tolerance);
-                least = minimum(within);
+                least = minimum(within)?;
             }
             let tooth = self.tooth().posed(&curve.pose(least.index));
-            self.approach(&self.flank(&tooth, Flank::Right), Flank::Right)
+            Some(self.approach(&self.flank(&tooth, Flank::Right), Flank::Right))
         };
         turn_to_contact(approach, self.farthest(), self.half_pitch(), 0.5 * tolerance, MOST_STEPS_IN_MOTION)
             .map(|turn| turn * self.circular_spline().gear.pitch_radius)

@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 use common::{MODULE, Tooth, assert_near, case_study, circular_spline, engagement, flexspline, samples};
 use proptest::prelude::*;
 use strainwave_kernel::{
-    Clearance, ContactKind, Engagement, Gear, NeutralCurve, Outline, Point, Pose, Profile, Segment, clearance,
+    Clearance, ContactKind, Engagement, Gear, NEVER, NeutralCurve, Outline, Point, Pose, Profile, Segment, clearance,
 };
 
 /// Poses near the mesh: from far apart to an overlap of a tenth of a millimetre and more.
@@ -173,7 +173,7 @@ proptest! {
     fn the_certificate_holds(variation in any_variation()) {
         let engagement = variation.engagement();
         let tolerance = 1e-6;
-        let least = engagement.minimum_in_motion(tolerance);
+        let least = engagement.minimum_in_motion(tolerance, NEVER).unwrap();
         prop_assert!(least.gap - least.lower_bound <= tolerance);
         for i in 0..2000 {
             let k = engagement.quarter() * f64::from(i) / 2000.0;
@@ -230,7 +230,7 @@ fn circumferential_backlash_ends_in_contact() {
 #[test]
 fn play_in_motion_is_the_least_over_the_curve() {
     let engagement = engagement(&Tooth { offset: -0.0072, ..flexspline() }, &circular_spline(), common::W0);
-    let play = engagement.play_in_motion(1e-6).unwrap();
+    let play = engagement.play_in_motion(1e-6, NEVER).unwrap();
     let sampled =
         (-510..=510).filter_map(|i| engagement.circumferential(0.1 * f64::from(i)).right).fold(f64::INFINITY, f64::min);
     assert!(play <= sampled + 2e-6, "{play} {sampled}");

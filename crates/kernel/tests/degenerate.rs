@@ -5,7 +5,7 @@ mod common;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use common::{MODULE, assert_near, circular_spline, cosine, flexspline};
-use strainwave_kernel::{Engagement, Gear, NeutralCurveModel, Point, Pose, Profile, Segment};
+use strainwave_kernel::{Engagement, Gear, NEVER, NeutralCurveModel, Point, Pose, Profile, Segment};
 
 fn flexspline_gear() -> Gear {
     flexspline().gear
@@ -169,7 +169,7 @@ fn gears_of_any_size_scale() {
         for (a, b) in unit.distribution().iter().zip(other.distribution()) {
             assert_near(b.1 / s, a.1, 1e-11);
         }
-        let (a, b) = (unit.minimum_in_motion(1e-6), other.minimum_in_motion(1e-6 * s));
+        let [a, b] = [(&unit, 1.0), (&other, s)].map(|(design, s)| design.minimum_in_motion(1e-6 * s, NEVER).unwrap());
         assert_near(b.gap / s, a.gap, 1e-6);
     }
 }

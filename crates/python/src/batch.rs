@@ -1,27 +1,22 @@
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::mpsc::RecvTimeoutError;
-use std::sync::{Arc, Mutex, PoisonError};
-use std::time::{Duration, Instant};
+use std::sync::Arc;
 
 use numpy::ndarray::{ArrayView1, ArrayView2};
 use numpy::{AllowTypeChange, PyArrayDyn, PyArrayLike1, PyArrayLike2, PyArrayLike3};
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use strainwave_kernel::{
-    self as kernel, Column, CurveForm, CurveSpec, GeometryError, IsCancelled, Metrics, NeutralCurveModel, Question,
-    RingPiece, RingShape, Shape,
+    self as kernel, Column, CurveForm, CurveSpec, GeometryError, Metrics, NeutralCurveModel, Question, RingPiece,
+    RingShape, Shape,
 };
 
 use crate::array::{self, Array};
 use crate::batch_profiles::BatchProfiles;
+use crate::interruption::{stoppable, stoppable_here};
 use crate::neutral_curve::model;
 
 pub type Numbers1<'py> = PyArrayLike1<'py, f64, AllowTypeChange>;
 type Table2<'py> = PyArrayLike2<'py, f64, AllowTypeChange>;
 pub type Table3<'py> = PyArrayLike3<'py, f64, AllowTypeChange>;
-
-/// How often a running batch looks for Ctrl-C.
-const PATIENCE: Duration = Duration::from_millis(50);
 
 /// The neutral curves of a batch: one for all rows, or one for each.
 #[pyclass(frozen, module = "strainwave._kernel")]
@@ -140,7 +135,7 @@ pub fn evaluate_batch(
             }
         })
     })?;
-    answer.map(BatchMetrics).ok_or_else(|| PyRuntimeError::new_err("the batch was cancelled"))
+    Ok(BatchMetrics(answer))
 }
 
 fn length<T>(column: &Column<T>) -> usize {
@@ -148,48 +143,6 @@ fn length<T>(column: &Column<T>) -> usize {
         Column::Same(_) => 1,
         Column::Each(each) => each.len(),
     }
-}
-
-/// Runs `work`, which is too short for a thread of its own, and looks for Ctrl-C when it asks whether it is cancelled.
-fn stoppable_here<T>(work: impl FnOnce(IsCancelled) -> T) -> PyResult<T> {
-    let watch = Mutex::new((Instant::now(), None));
-    let answer = work(&|| {
-        let (looked, interrupt) = &mut *watch.lock().unwrap_or_else(PoisonError::into_inner);
-        if interrupt.is_none() && looked.elapsed() >= PATIENCE {
-            *interrupt = Python::attach(|py| py.check_signals()).err();
-            *looked = Instant::now();
-        }
-        interrupt.is_some()
-    });
-    match watch.into_inner().unwrap_or_else(PoisonError::into_inner).1 {
-        Some(interrupt) => Err(interrupt),
-        None => Ok(answer),
-    }
-}
-
-/// Runs `work` on a thread of its own and looks for Ctrl-C meanwhile.
-fn stoppable<T: Send>(work: impl FnOnce(IsCancelled) -> T + Send) -> PyResult<T> {
-    let cancelled = AtomicBool::new(false);
-    let (sender, receiver) = std::sync::mpsc::channel();
-    std::thread::scope(|scope| {
-        let cancelled = &cancelled;
-        // Sending fails only after an interrupt, when nobody waits for the answer.
-        scope.spawn(move || drop(sender.send(work(&|| cancelled.load(Ordering::Relaxed)))));
-        loop {
-            match receiver.recv_timeout(PATIENCE) {
-                Ok(answer) => return Ok(answer),
-                Err(RecvTimeoutError::Timeout) => {
-                    if let Err(interrupt) = Python::attach(|py| py.check_signals()) {
-                        cancelled.store(true, Ordering::Relaxed);
-                        return Err(interrupt);
-                    }
-                }
-                Err(RecvTimeoutError::Disconnected) => {
-                    return Err(PyRuntimeError::new_err("the batch ended without an answer"));
-                }
-            }
-        }
-    })
 }
 
 /// A pool of the given size; the common one, as large as the machine, for 0.

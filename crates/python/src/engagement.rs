@@ -7,6 +7,7 @@ use strainwave_kernel::{Point, Pose};
 use crate::array::{self, Array, Numbers};
 use crate::clearances::{Clearances, Rows};
 use crate::error::raise;
+use crate::interruption::stoppable_here;
 use crate::neutral_curve::NeutralCurve;
 use crate::profile::Profile;
 
@@ -99,7 +100,7 @@ impl Engagement {
 
     fn minimum_in_motion(&self, py: Python<'_>, tolerance: f64) -> PyResult<MotionMinimum> {
         check_tolerance(tolerance)?;
-        let found = py.detach(|| self.0.minimum_in_motion(tolerance));
+        let found = py.detach(|| stoppable_here(|is_cancelled| self.0.minimum_in_motion(tolerance, is_cancelled)))?;
         let bounds = self.0.bounds().whole();
         Ok(MotionMinimum {
             gap: found.gap,
@@ -114,7 +115,9 @@ impl Engagement {
 
     fn play_in_motion(&self, py: Python<'_>, tolerance: f64) -> PyResult<f64> {
         check_tolerance(tolerance)?;
-        Ok(py.detach(|| self.0.play_in_motion(tolerance)).unwrap_or(f64::NAN))
+        let found =
+            py.detach(|| stoppable_here(|is_cancelled| Some(self.0.play_in_motion(tolerance, is_cancelled))))?;
+        Ok(found.unwrap_or(f64::NAN))
     }
 }
 

@@ -6,6 +6,7 @@ mod batch_profiles;
 mod clearances;
 mod engagement;
 mod error;
+mod interruption;
 mod neutral_curve;
 mod profile;
 

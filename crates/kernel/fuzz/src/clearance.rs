@@ -1,7 +1,7 @@
 //! Any engagement and any pose: the clearance is finite and carries its witness, keeps to mirror and Lipschitz, lies where
 //! samples put it; the pursuit over the teeth gives what the clear way gives.
 
-use strainwave_kernel::{Clearance, ContactKind, Engagement, FlankPair, Point, Pose};
+use strainwave_kernel::{Clearance, ContactKind, Engagement, FlankPair, NEVER, Point, Pose};
 
 use super::brute_force::Mesh;
 use super::design;
@@ -146,7 +146,7 @@ fn check_distribution(engagement: &Engagement) {
 
 fn check_motion(engagement: &Engagement) {
     let tolerance = 1e-3 * pitch(engagement);
-    let least = engagement.minimum_in_motion(tolerance);
+    let least = engagement.minimum_in_motion(tolerance, NEVER).expect("nobody cancels it");
     let gap_at = |k: f64| {
         let clear = engagement.clearances(&engagement.relative_pose(k));
         clear.left.gap.min(clear.right.gap)
