@@ -35,7 +35,8 @@ test: check-rust check-python $(if $(DOCS_CONFIG),docs) ## Formatters, linters, 
 soak: $(VENV)/dev.stamp $(VENV)/kernel.stamp ## An hour of fuzzing, a million poses against brute force, 100 kills of explorations, half an hour in the studio, long random tests
 	cargo test --release --package strainwave-kernel --test soak -- --ignored --nocapture
 	scripts/fuzz $(SOAK_SECONDS)
-	$(BIN)/pytest tests/property tests/studies/test_wizard.py tests/studies/exploration/test_kills.py tests/export/test_step.py tests/studio/test_random_actions.py --soak
+	$(BIN)/pytest tests/property tests/studies/test_wizard.py tests/studies/exploration/test_kills.py tests/export/test_step.py tests/studio/test_random_actions.py \
+		$(shell grep -rl 'from hypothesis' tests --include='test_*.py') --soak --hypothesis-profile=soak
 
 bench: $(VENV)/dev.stamp $(VENV)/kernel.stamp chromium ## Write every number that the README quotes
 	@for script in benchmarks/*.py; do echo "$$script"; $(BIN)/python "$$script" || exit 1; done

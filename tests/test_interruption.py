@@ -79,7 +79,7 @@ def test_other_threads_go_on() -> None:
     other = threading.Thread(target=beat)
     other.start()
     begun = time.monotonic()
-    evaluate_batch(design, ["wave_generator.fourier[2]"], np.full((20_000, 1), 0.02), threads=1)
+    evaluate_batch(design, ["wave_generator.fourier[2]"], np.full((40_000, 1), 0.02), threads=1)
     whole = time.monotonic() - begun
     ended.set()
     other.join()

@@ -209,7 +209,7 @@ def test_the_largest_drawing_of_lines_takes_bounded_memory(tmp_path: Path) -> No
 
 
 @given(st.text(max_size=300), st.sampled_from(["csv", "dxf", "json"]))
-@settings(deadline=None, max_examples=60)
+@settings(max_examples=60)
 def test_any_text_is_refused_with_a_message(tmp_path_factory: pytest.TempPathFactory, text: str, suffix: str) -> None:
     path = tmp_path_factory.mktemp("any") / f"tooth.{suffix}"
     path.write_text(text, encoding="utf-8", errors="replace")
@@ -218,7 +218,7 @@ def test_any_text_is_refused_with_a_message(tmp_path_factory: pytest.TempPathFac
 
 
 @given(st.data())
-@settings(deadline=None, max_examples=60)
+@settings(max_examples=60)
 def test_a_damaged_drawing_is_read_or_refused(tmp_path_factory: pytest.TempPathFactory, data: st.DataObject) -> None:
     """Lines of a good drawing exchanged, left out or replaced."""
     document = new("R12")

@@ -92,7 +92,7 @@ def check(error: DesignError) -> None:
     assert all(line.isprintable() for line in lines)
 
 
-@settings(max_examples=400, deadline=None)
+@settings(max_examples=400)
 @given(mutated_trees())
 def test_a_mutated_tree_is_a_design_or_a_design_error(tree: dict[str, Any]) -> None:
     design = design_or_none(tree)

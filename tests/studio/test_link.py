@@ -43,7 +43,6 @@ def test_every_ready_design_comes_back(design: Design) -> None:
     assert dumps(returned(design)) == dumps(design)
 
 
-@settings(deadline=None)
 @given(st.text(max_size=200), st.floats(0.01, 3.0), st.lists(st.floats(-1.0, 1.0), min_size=3, max_size=40))
 def test_any_name_and_any_number_come_back_to_the_last_bit(name: str, w0: float, samples: list[float]) -> None:
     try:
@@ -53,7 +52,7 @@ def test_any_name_and_any_number_come_back_to_the_last_bit(name: str, w0: float,
     assert returned(design) == design
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=200)
 @given(mutated_trees())
 def test_a_mutated_design_comes_back(tree: dict[str, object]) -> None:
     try:
@@ -64,7 +63,7 @@ def test_a_mutated_design_comes_back(tree: dict[str, object]) -> None:
     assert code is None or coded_design(code) == design
 
 
-@settings(max_examples=400, deadline=None)
+@settings(max_examples=400)
 @given(st.one_of(st.text(), st.text(alphabet="ABCxyz019-_+/="), st.binary().map(packed)))
 def test_garbage_is_one_error(code: str) -> None:
     with pytest.raises(StrainwaveError) as error:
@@ -73,7 +72,6 @@ def test_garbage_is_one_error(code: str) -> None:
     assert all(line.isprintable() for line in str(error.value).splitlines())
 
 
-@settings(deadline=None)
 @given(st.data())
 def test_a_damaged_link_is_an_error_and_never_another_design(data: st.DataObject) -> None:
     """A checksum stands at its end."""

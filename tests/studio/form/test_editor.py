@@ -127,7 +127,7 @@ def test_one_of_two_takes_the_other_out() -> None:
     asyncio.run(steps())
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=25)
 @given(st.lists(st.tuples(st.sampled_from(FIELDS), NONSENSE), min_size=1, max_size=4))
 def test_any_text_in_any_field_is_judged_and_good_values_recover(typed: list[tuple[Field, str]]) -> None:
     """What the form does with typed text, many fields at once: faults have a place, and the former values heal them."""

@@ -113,8 +113,9 @@ def test_half_a_letter_is_replaced() -> None:
     assert value_of(NUMBER, "1\ud800") == "1?"
 
 
-def test_an_empty_array_is_left_out() -> None:
-    assert value_of(ARRAY, " \n ") is None
+@pytest.mark.parametrize("text", ["", " \n ", "\N{NO-BREAK SPACE}", "# nothing yet"])
+def test_an_empty_array_is_left_out(text: str) -> None:
+    assert value_of(ARRAY, text) is None
 
 
 @given(st.text(), st.sampled_from([NUMBER, TEETH, ANGLE, ARRAY, CHOICE]))

@@ -76,14 +76,14 @@ def _angle_text(degrees: float) -> str:
 
 
 def _array(text: str) -> Any:
-    """The items of an array as a design file would hold them, read as data only."""
+    """The items of an array as a design file would hold them, read as data only; None where there are none."""
     if not text.strip():
         return None
     try:
         tree = tomllib.loads(f"items = [\n{text}\n]")
     except (ValueError, RecursionError):  # a ValueError is also what int() has against thousands of digits
         return text
-    return tree["items"] if [*tree] == ["items"] else text
+    return tree["items"] or None if [*tree] == ["items"] else text
 
 
 def _array_text(items: Sequence[Any]) -> str:
