@@ -24,12 +24,19 @@ pub fn between_reflex_and_any(engagement: &Engagement, pose: &Pose) -> f64 {
     with_reflex_of_space.min(between(pose, reflex(tooth), convex(space)))
 }
 
-/// Least distance of a point from some pieces of an outline.
-pub fn from_outline(p: Point, outline: &Outline, pieces: Range<usize>) -> f64 {
-    let mut least = f64::INFINITY;
+/// Least distance of a point from some pieces of an outline. `nearest`, a guess, is looked at first, so that others are
+/// soon out of question; it becomes the nearest one.
+pub fn from_outline(p: Point, outline: &Outline, pieces: Range<usize>, nearest: &mut usize) -> f64 {
+    let distance = |piece: usize| outline.segments()[piece].nearest(p).distance.abs();
+    let first = (*nearest).clamp(pieces.start, pieces.end - 1);
+    let mut least = distance(first);
+    *nearest = first;
     for piece in pieces {
-        if outline.may_be_within(piece, p, least) {
-            least = least.min(outline.segments()[piece].nearest(p).distance.abs());
+        if piece != first && outline.may_be_within(piece, p, least) {
+            let found = distance(piece);
+            if found < least {
+                (*nearest, least) = (piece, found);
+            }
         }
     }
     least
@@ -55,6 +62,13 @@ impl Room {
         self.found = Some((*pose, distance));
         distance > reach
     }
+}
+
+/// The room of a corner, and the piece that was nearest to it.
+#[derive(Clone, Default)]
+pub struct CornerRoom {
+    pub room: Room,
+    pub nearest: usize,
 }
 
 fn convex(body: &Body) -> impl Iterator<Item = Point> + Clone + '_ {

@@ -2,7 +2,7 @@
 
 use crate::body::Body;
 use crate::cancellation::{IsCancelled, NEVER};
-use crate::corners::{self, Room};
+use crate::corners::{self, CornerRoom, Room};
 use crate::engagement::{Engagement, Flank};
 use crate::pose::Pose;
 use crate::pursuit::Pursuit;
@@ -30,7 +30,7 @@ struct Rooms {
     between_convex: Room,
     between_reflex_and_any: Room,
     /// Of each convex corner of the tooth, and of the space, from the other's outline.
-    of_corners: [Vec<Room>; 2],
+    of_corners: [Vec<CornerRoom>; 2],
 }
 
 /// The curve at one index.
@@ -160,15 +160,17 @@ impl<'a> GapCurve<'a> {
             |body: &'a Body, reach| Side { outline: body.outline(), counted: body.pieces_of(self.flanks), reach };
         let (on_tooth, on_space) = (side(tooth, farthest), side(space, f64::INFINITY));
         let [of_tooth, of_space] = &mut self.rooms.of_corners;
-        let are_harmless = |on: &Side, of: &Side, corners: &[ConvexCorner], rooms: &mut Vec<Room>, seen: &Pose| {
-            rooms.resize(corners.len(), Room::default());
-            corners.iter().zip(rooms).all(|(corner, room)| {
-                let Some(reach) = corner.reach(around) else { return false };
-                let distance = || corners::from_outline(seen.point(corner.point), on.outline, on.counted.clone());
-                room.exceeds(reach, pose, farthest, distance)
-                    || ties::harmless(on, corner, seen, of.counted.contains(&corner.piece), around)
-            })
-        };
+        let are_harmless =
+            |on: &Side, of: &Side, corners: &[ConvexCorner], rooms: &mut Vec<CornerRoom>, seen: &Pose| {
+                rooms.resize_with(corners.len(), CornerRoom::default);
+                corners.iter().zip(rooms).all(|(corner, CornerRoom { room, nearest })| {
+                    let Some(reach) = corner.reach(around) else { return false };
+                    let distance =
+                        || corners::from_outline(seen.point(corner.point), on.outline, on.counted.clone(), nearest);
+                    room.exceeds(reach, pose, farthest, distance)
+                        || ties::harmless(on, corner, seen, of.counted.contains(&corner.piece), around)
+                })
+            };
         are_harmless(&on_space, &on_tooth, tooth.convex_corners(), of_tooth, pose)
             && are_harmless(&on_tooth, &on_space, space.convex_corners(), of_space, &pose.inverse())
     }

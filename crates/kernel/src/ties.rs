@@ -57,6 +57,8 @@ pub struct ConvexCorner {
     pub normals: [Point; 2],
     /// Cosine of half the angle between them.
     pub sharpness: f64,
+    /// See [`deviation_per_squared_depth`].
+    pub deviation: [f64; 2],
     /// Length of the shorter piece next to it (mm).
     pub side: f64,
     /// Greatest curvature of these pieces (1/mm).
@@ -70,12 +72,15 @@ impl ConvexCorner {
     pub fn of(outline: &Outline, piece: usize) -> Option<Self> {
         let [before, after] = [&outline.segments()[piece - 1], &outline.segments()[piece]];
         let normals = [before.end_normal(), after.start_normal()];
+        let sharpness = 0.5 * (normals[0] + normals[1]).norm();
+        let curvature = before.curvature().abs().max(after.curvature().abs());
         (normals[0].cross(normals[1]) < 0.0).then(|| Self {
             point: after.start(),
             normals,
-            sharpness: 0.5 * (normals[0] + normals[1]).norm(),
+            sharpness,
+            deviation: deviation_per_squared_depth(sharpness, curvature),
             side: before.length().min(after.length()),
-            curvature: before.curvature().abs().max(after.curvature().abs()),
+            curvature,
             piece,
         })
     }
@@ -91,14 +96,20 @@ impl ConvexCorner {
         is_known.then_some(reach)
     }
 
-    /// No tied point of depth d lies farther, along the bisector and across it (mm), from where it would with straight
-    /// sides, d / sharpness from the corner: a side deviates by half its curvature times the square of the way to
-    /// the foot of p. That way is known as long as what comes out is less than [`STRAIGHT`] of d / sharpness.
+    /// No tied point of this depth lies farther, along the bisector and across it (mm), from where it would with straight
+    /// sides.
     fn deviation(&self, depth: f64) -> [f64; 2] {
-        let squared_way = depth * depth * (((1.0 + STRAIGHT) / self.sharpness).powi(2) - 1.0) / (1.0 - STRAIGHT);
-        let of_side = 0.5 * (1.0 + STRAIGHT) * self.curvature * squared_way;
-        [of_side / self.sharpness, of_side / (1.0 - self.sharpness * self.sharpness).sqrt()]
+        self.deviation.map(|factor| factor * depth * depth)
     }
+}
+
+/// No tied point of depth d lies farther, along the bisector and across it, than these times d² from where it would with
+/// straight sides, d / sharpness from the corner: a side deviates by half its curvature times the square of the way to
+/// the foot of p. That way is known as long as what comes out is less than [`STRAIGHT`] of d / sharpness.
+fn deviation_per_squared_depth(sharpness: f64, curvature: f64) -> [f64; 2] {
+    let squared_way = (((1.0 + STRAIGHT) / sharpness).powi(2) - 1.0) / (1.0 - STRAIGHT);
+    let of_side = 0.5 * (1.0 + STRAIGHT) * curvature * squared_way;
+    [of_side / sharpness, of_side / (1.0 - sharpness * sharpness).sqrt()]
 }
 
 /// Whether no tied point of the outline on the bisector of a corner, whose body stands at `pose` in the outline's frame,
@@ -154,31 +165,35 @@ struct NearRun {
 impl NearRun {
     /// `None` where no counted piece is within reach.
     fn around(side: &Side, p: Point, reach: f64) -> Option<Self> {
-        let outline = side.outline;
+        let (outline, segments) = (side.outline, side.outline.segments());
         if !side.counted.clone().any(|index| outline.may_be_within(index, p, reach)) {
             return None;
         }
-        let mut near: Vec<(usize, f64)> = Vec::new();
-        for (index, piece) in outline.segments().iter().enumerate() {
-            if outline.may_be_within(index, p, reach) {
-                let distance = piece.nearest(p).distance.abs();
-                if distance <= reach {
-                    near.push((index, distance));
-                }
+        let distance = |index: usize| segments[index].nearest(p).distance.abs();
+        let mut near = (0..segments.len())
+            .filter(|&index| outline.may_be_within(index, p, reach))
+            .map(|index| (index, distance(index)))
+            .filter(|&(_, distance)| distance <= reach);
+        let (first, mut least) = near.next()?;
+        let (mut last, mut nearest, mut count) = (first, first, 1);
+        let mut is_counted = side.counted.contains(&first);
+        let mut curvature = segments[first].curvature().abs();
+        for (index, distance) in near {
+            (last, count) = (index, count + 1);
+            if distance < least {
+                (nearest, least) = (index, distance);
             }
+            is_counted |= side.counted.contains(&index);
+            curvature = curvature.max(segments[index].curvature().abs());
         }
-        if !near.iter().any(|(index, _)| side.counted.contains(index)) {
+        if !is_counted {
             return None;
         }
-        let (first, last) = (near[0].0, near[near.len() - 1].0);
         let within = |index: usize, place, end: Point| outline.is_corner(index, place) && (end - p).norm() <= reach;
-        let segments = outline.segments();
         let has_corner = outline.corners_between(first, last).next().is_some()
             || within(first, Place::Start, segments[first].start())
             || within(last, Place::End, segments[last].end());
-        let hangs_together = near.len() == last - first + 1;
-        let curvature = near.iter().map(|&(index, _)| segments[index].curvature().abs()).fold(0.0, f64::max);
-        let (nearest, _) = near.iter().copied().min_by(|a, b| a.1.total_cmp(&b.1))?;
+        let hangs_together = count == last - first + 1;
         let u = segments[nearest].foot(p);
         Some(Self {
             foot: segments[nearest].point(u),
@@ -210,13 +225,19 @@ mod tests {
     impl Case {
         const LENGTH: f64 = 1.0;
 
+        /// Greater one of both sides.
+        fn curvature(&self) -> f64 {
+            self.curvatures[0].abs().max(self.curvatures[1].abs())
+        }
+
         fn corner(&self) -> ConvexCorner {
             ConvexCorner {
                 point: Point::default(),
                 normals: [-self.half_angle, self.half_angle].map(Point::at_angle),
                 sharpness: self.half_angle.cos(),
+                deviation: deviation_per_squared_depth(self.half_angle.cos(), self.curvature()),
                 side: Self::LENGTH,
-                curvature: self.curvatures[0].abs().max(self.curvatures[1].abs()),
+                curvature: self.curvature(),
                 piece: 1,
             }
         }
