@@ -1,12 +1,10 @@
 //! How far the corners of a tooth and of the circular spline are from each other.
 
-use std::ops::Range;
-
 use crate::body::Body;
 use crate::engagement::Engagement;
-use crate::outline::Outline;
 use crate::point::Point;
 use crate::pose::Pose;
+use crate::ties::Side;
 
 /// Ways count as that much longer.
 const ROUNDING: f64 = 1.0 + 1e-9;
@@ -22,24 +20,6 @@ pub fn between_reflex_and_any(engagement: &Engagement, pose: &Pose) -> f64 {
     let (tooth, space) = engagement.bodies();
     let with_reflex_of_space = between(pose, convex(tooth).chain(reflex(tooth)), reflex(space));
     with_reflex_of_space.min(between(pose, reflex(tooth), convex(space)))
-}
-
-/// Least distance of a point from some pieces of an outline. `nearest`, a guess, is looked at first, so that others are
-/// soon out of question; it becomes the nearest one.
-pub fn from_outline(p: Point, outline: &Outline, pieces: Range<usize>, nearest: &mut usize) -> f64 {
-    let distance = |piece: usize| outline.segments()[piece].nearest(p).distance.abs();
-    let first = (*nearest).clamp(pieces.start, pieces.end - 1);
-    let mut least = distance(first);
-    *nearest = first;
-    for piece in pieces {
-        if piece != first && outline.may_be_within(piece, p, least) {
-            let found = distance(piece);
-            if found < least {
-                (*nearest, least) = (piece, found);
-            }
-        }
-    }
-    least
 }
 
 /// A distance of a tooth from its surroundings that was found at one pose.
@@ -64,11 +44,26 @@ impl Room {
     }
 }
 
-/// The room of a corner, and the piece that was nearest to it.
-#[derive(Clone, Default)]
+/// The room of a corner between it and the counted pieces of the other outline, of which it knows the nearest one.
+#[derive(Clone)]
 pub struct CornerRoom {
-    pub room: Room,
-    pub nearest: usize,
+    room: Room,
+    nearest: usize,
+}
+
+impl CornerRoom {
+    pub fn new(side: &Side) -> Self {
+        Self { room: Room::default(), nearest: side.counted.start }
+    }
+
+    /// See [`Room::exceeds`]; the corner has come to `point` in the other outline's frame.
+    pub fn exceeds(&mut self, reach: f64, pose: &Pose, farthest: f64, side: &Side, point: Point) -> bool {
+        self.room.exceeds(reach, pose, farthest, || {
+            let (piece, found) = side.outline.nearest_piece(point, side.counted.clone(), self.nearest);
+            self.nearest = piece;
+            found.distance.abs()
+        })
+    }
 }
 
 fn convex(body: &Body) -> impl Iterator<Item = Point> + Clone + '_ {

@@ -162,12 +162,10 @@ impl<'a> GapCurve<'a> {
         let [of_tooth, of_space] = &mut self.rooms.of_corners;
         let are_harmless =
             |on: &Side, of: &Side, corners: &[ConvexCorner], rooms: &mut Vec<CornerRoom>, seen: &Pose| {
-                rooms.resize_with(corners.len(), CornerRoom::default);
-                corners.iter().zip(rooms).all(|(corner, CornerRoom { room, nearest })| {
+                rooms.resize(corners.len(), CornerRoom::new(on));
+                corners.iter().zip(rooms).all(|(corner, room)| {
                     let Some(reach) = corner.reach(around) else { return false };
-                    let distance =
-                        || corners::from_outline(seen.point(corner.point), on.outline, on.counted.clone(), nearest);
-                    room.exceeds(reach, pose, farthest, distance)
+                    room.exceeds(reach, pose, farthest, on, seen.point(corner.point))
                         || ties::harmless(on, corner, seen, of.counted.contains(&corner.piece), around)
                 })
             };

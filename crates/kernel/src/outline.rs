@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use crate::feature::{Feature, features};
 use crate::finishing::SMOOTH;
-use crate::nearest::Place;
+use crate::nearest::{Nearest, Place};
 use crate::point::Point;
 use crate::pose::Pose;
 use crate::profile::Profile;
@@ -230,19 +230,7 @@ impl Outline {
 
     /// The same, quicker if the nearest piece is the one with the index `guess`.
     pub fn signed_distance_near(&self, p: Point, guess: usize) -> SignedDistance {
-        let mut best = self.segments[guess].nearest(p);
-        let mut segment = guess;
-        for (index, piece) in self.segments.iter().enumerate() {
-            let bound = &self.bounds[index];
-            let reach = best.distance.abs() + bound.radius;
-            if (p - bound.center).norm_squared() > reach * reach {
-                continue;
-            }
-            let nearest = piece.nearest(p);
-            if nearest.distance.abs() < best.distance.abs() {
-                (best, segment) = (nearest, index);
-            }
-        }
+        let (segment, best) = self.nearest_piece(p, 0..self.segments.len(), guess);
         let value = match best.place {
             Place::Interior => best.distance,
             place => {
@@ -251,6 +239,21 @@ impl Outline {
             }
         };
         SignedDistance { value, segment, place: best.place }
+    }
+
+    /// The nearest of some pieces, and what is nearest on it; quicker if it is `guess`, which must be one of them.
+    #[inline]
+    pub fn nearest_piece(&self, p: Point, pieces: Range<usize>, guess: usize) -> (usize, Nearest) {
+        let (mut piece, mut best) = (guess, self.segments[guess].nearest(p));
+        for index in pieces {
+            if index != guess && self.may_be_within(index, p, best.distance.abs()) {
+                let nearest = self.segments[index].nearest(p);
+                if nearest.distance.abs() < best.distance.abs() {
+                    (piece, best) = (index, nearest);
+                }
+            }
+        }
+        (piece, best)
     }
 
     fn vertex(&self, segment: usize, place: Place) -> Point {

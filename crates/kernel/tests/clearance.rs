@@ -74,6 +74,26 @@ proptest! {
         }
     }
 
+    #[test]
+    fn the_nearest_piece_is_found_from_any_guess(
+        variation in any_variation(),
+        x in -1.0..1.0_f64,
+        y in -1.2..0.9_f64,
+        ends in [0..64_usize, 0..64_usize],
+        guess in 0..64_usize,
+    ) {
+        let engagement = variation.engagement();
+        let (outline, p) = (engagement.space(), Point::new(x, y));
+        let [a, b] = ends.map(|end| end % outline.segments().len());
+        let pieces = a.min(b)..a.max(b) + 1;
+        let guess = pieces.start + guess % pieces.len();
+        let (piece, found) = outline.nearest_piece(p, pieces.clone(), guess);
+        let distances = outline.segments()[pieces.clone()].iter().map(|piece| piece.nearest(p).distance.abs());
+        prop_assert!(pieces.contains(&piece));
+        prop_assert_eq!(found.distance, outline.segments()[piece].nearest(p).distance);
+        prop_assert_eq!(found.distance.abs(), distances.fold(f64::INFINITY, f64::min));
+    }
+
     /// No sampled point is deeper (or nearer) than the clearance, and the clearance is not below what sampling finds by
     /// more than half a step.
     #[test]
@@ -225,6 +245,14 @@ fn circumferential_backlash_ends_in_contact() {
             assert!(gap(arc + 1e-4) < -1e-5 && gap(arc - 1e-4) > 1e-5, "tooth {k}");
         }
     }
+}
+
+#[test]
+fn a_cancelled_search_has_no_answer() {
+    let engagement = case_study();
+    assert!(engagement.minimum_in_motion(1e-6, NEVER).is_some() && engagement.play_in_motion(1e-6, NEVER).is_some());
+    assert!(engagement.minimum_in_motion(1e-6, &|| true).is_none());
+    assert!(engagement.play_in_motion(1e-6, &|| true).is_none());
 }
 
 #[test]
