@@ -33,6 +33,7 @@ demo: $(VENV)/kernel.stamp ## Set everything up and compute the case study (plot
 test: check-rust check-python $(if $(DOCS_CONFIG),docs) ## Formatters, linters, typing, Rust and Python tests
 
 soak: $(VENV)/dev.stamp $(VENV)/kernel.stamp ## An hour of fuzzing, a million poses against brute force, 100 kills of explorations, half an hour in the studio, long random tests
+	PROPTEST_CASES=5120 cargo test --release --package strainwave-kernel --quiet
 	cargo test --release --package strainwave-kernel --test soak -- --ignored --nocapture
 	scripts/fuzz $(SOAK_SECONDS)
 	$(BIN)/pytest tests/property tests/studies/test_wizard.py tests/studies/exploration/test_kills.py tests/export/test_step.py tests/studio/test_random_actions.py \
@@ -61,7 +62,8 @@ clean: ## Remove everything that was built or installed here
 check-rust: toolchain $(VENV)/python.stamp
 	cargo fmt --all --check
 	cargo clippy --workspace --all-targets --quiet -- -D warnings
-	cargo test --package strainwave-kernel --quiet
+	@# Random tests see the same cases everywhere; make soak lets them draw others.
+	PROPTEST_RNG_SEED=1 cargo test --package strainwave-kernel --quiet
 
 check-python: $(VENV)/dev.stamp $(VENV)/kernel.stamp chromium
 	$(BIN)/ruff format --check

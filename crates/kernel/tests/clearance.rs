@@ -59,7 +59,7 @@ fn sampled(outline: &Outline, body: &Outline, reach: f64) -> (f64, f64) {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 200, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn signed_distance_has_the_side_of_a_small_step(share in 0.0..1.0_f64, index in 0..32_usize, step in 1e-6..1e-3_f64) {
