@@ -225,11 +225,12 @@ impl NeutralCurve {
 }
 
 fn check_size(radius: f64, w0: f64) -> Result<(), GeometryError> {
-    for (what, value) in [("neutral radius", radius), ("w0", w0)] {
-        if !value.is_finite() {
+    // Cubes of the radius occur: where they overflow it counts as infinite, where they vanish as 0.
+    for (what, value, power) in [("neutral radius", radius, 3), ("w0", w0, 1)] {
+        if !value.powi(power).is_finite() {
             return Err(GeometryError::NotFinite { what });
         }
-        if value <= 0.0 {
+        if !(value > 0.0 && value.powi(power).is_normal()) {
             return Err(GeometryError::NotPositive { what, value_mm: value });
         }
     }

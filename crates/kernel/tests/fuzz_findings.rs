@@ -32,6 +32,24 @@ fn a_curve_of_negative_radius_is_none() {
     assert!(polar(10.0, 1.0, NeutralCurveModel::FirstOrder, shape).is_err());
 }
 
+/// Beyond the sizes whose cubes are numbers; an ellipse of 1e-147 mm had the angle NaN.
+#[test]
+fn a_curve_whose_radius_has_no_cube_is_none() {
+    for (radius, code) in [(1e-147, "not-positive"), (1e-110, "not-positive"), (1e110, "not-finite")] {
+        let cosine = || RingShape::Harmonics(vec![0.0, 1.0]);
+        for curve in [
+            NeutralCurve::ellipse(radius, 1e-3 * radius, 0.0),
+            polar(radius, 1e-3 * radius, NeutralCurveModel::Inextensible, cosine()),
+        ] {
+            assert_eq!(curve.map_err(|error| error.code()).err(), Some(code), "{radius} mm");
+        }
+    }
+    for radius in [1e-100, 1e100] {
+        let curve = NeutralCurve::ellipse(radius, 1e-3 * radius, 0.1 * radius).unwrap();
+        assert_near(curve.angle_at(0.25 * curve.perimeter()), FRAC_PI_2, 1e-12);
+    }
+}
+
 #[test]
 fn stretches_that_do_not_join_are_none() {
     let piece = |phi_end, p| RingPiece { phi_end, p, c: 0.0, c_phi: 0.0, s: 0.0, s_phi: 0.0 };

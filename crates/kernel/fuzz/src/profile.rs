@@ -5,7 +5,8 @@ use strainwave_kernel::{Profile, Role, Segment};
 use super::design::{Tooth, tooth};
 use super::draw::Draw;
 
-/// Joins may be this share of the tooth height apart: a grazing cut or an arc that is nearly a line is known no better.
+/// Joins may be this share of the tooth height apart: an arc that is nearly a line is known no better. Nor is a grazing
+/// cut of a tooth on a small pitch circle; on a greater one it is known to the root of what its radius is rounded to.
 const JOIN: f64 = 1e-7;
 /// Rounding adds this share of the pitch radius,
 const ROUNDING: f64 = 1e-12;
@@ -39,7 +40,8 @@ fn check_profile(profile: &Profile) {
     let gear = &profile.gear;
     let segments = profile.segments();
     let height = gear.addendum + gear.dedendum;
-    let tolerance = JOIN * height + ROUNDING * gear.pitch_radius;
+    let grazing = (f64::EPSILON * gear.pitch_radius * height).sqrt();
+    let tolerance = grazing.max(JOIN * height) + ROUNDING * gear.pitch_radius;
 
     assert_eq!(profile.roles().len(), segments.len());
     assert_eq!(profile.roles()[0], Role::TipLand);
