@@ -31,8 +31,9 @@ def gear(module: float) -> Gear:
 
 def in_pieces(design: Design, count: int) -> Design:
     """The design with both flanks, which have no root fillet, as chains of `count` pieces: its own, split evenly."""
+    geometry = Geometry.of(design)
     profiles = {
-        f"{spline}.profile": _chain(getattr(Geometry.of(design), spline), getattr(design, spline), design.module, count)
+        f"{spline}.profile": _chain(getattr(geometry, spline), getattr(design, spline), design.module, count)
         for spline in ("flexspline", "circular_spline")
     }
     return design.replace(profiles | {"flexspline.neutral_radius": design.neutral_radius_mm})

@@ -5,12 +5,11 @@ use strainwave_kernel::{Profile, Role, Segment};
 use super::design::{Tooth, tooth};
 use super::draw::Draw;
 
-/// Joins may be this share of the tooth height apart: an arc that is nearly a line is known no better. Nor is a grazing
-/// cut of a tooth on a small pitch circle; on a greater one it is known to the root of what its radius is rounded to.
+/// Joins may be this share of the tooth height apart: a grazing cut or an arc that is nearly a line is known no better.
 const JOIN: f64 = 1e-7;
 /// Rounding adds this share of the pitch radius,
 const ROUNDING: f64 = 1e-12;
-/// and this share of the radius of an arc.
+/// and this share of the radius of an arc, on which a fillet depends that stands on it.
 const ROUNDING_OF_ARCS: f64 = 2.0 * f64::EPSILON;
 
 pub fn check(bytes: &[u8]) {
@@ -40,8 +39,7 @@ fn check_profile(profile: &Profile) {
     let gear = &profile.gear;
     let segments = profile.segments();
     let height = gear.addendum + gear.dedendum;
-    let grazing = (f64::EPSILON * gear.pitch_radius * height).sqrt();
-    let tolerance = grazing.max(JOIN * height) + ROUNDING * gear.pitch_radius;
+    let tolerance = JOIN * height + ROUNDING * gear.pitch_radius;
 
     assert_eq!(profile.roles().len(), segments.len());
     assert_eq!(profile.roles()[0], Role::TipLand);
@@ -60,7 +58,8 @@ fn check_profile(profile: &Profile) {
     }
     for (index, pair) in segments.windows(2).enumerate() {
         let gap = (pair[1].start() - pair[0].end()).norm();
-        let flattest = pair.iter().map(|piece| piece.curvature().abs()).filter(|&c| c > 0.0).fold(1.0, f64::min);
+        let near = &segments[index.saturating_sub(1)..=index + 1];
+        let flattest = near.iter().map(|piece| piece.curvature().abs()).filter(|&c| c > 0.0).fold(1.0, f64::min);
         assert!(gap <= tolerance + ROUNDING_OF_ARCS / flattest, "gap of {gap:e} after piece {index}: {pair:?}");
     }
     for (u, radius) in [
