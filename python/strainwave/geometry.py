@@ -42,8 +42,16 @@ CURVE_FAULTS = {
 # Faults that an offset may have brought about, though the key to blame is another.
 BY_OFFSET = {"tip-not-reached", "tip-pointed", "root-not-reached", "fillet-does-not-fit", "space-too-narrow"}
 # Codes that no design causes, because the spec has ruled them out: empty or gaping chains, arcs as flat as no tooth has
-# them, malformed ring shapes, teeth that are too few or do not mesh. Meeting one is a bug.
-RULED_OUT = {"empty-chain", "join-gap", "radius-too-large", "bad-shape", "too-few-teeth", "teeth-do-not-mesh"}
+# them, teeth as low, malformed ring shapes, teeth that are too few or do not mesh. Meeting one is a bug.
+RULED_OUT = {
+    "empty-chain",
+    "join-gap",
+    "radius-too-large",
+    "teeth-too-low",
+    "bad-shape",
+    "too-few-teeth",
+    "teeth-do-not-mesh",
+}
 
 
 @dataclass(frozen=True)

@@ -59,12 +59,13 @@ impl Engagement {
     ///
     /// # Errors
     /// [`GeometryError::TeethDoNotMesh`] unless the circular spline has an even number of teeth more than the flexspline:
-    /// two lobes mesh at once.
+    /// two lobes mesh at once. [`GeometryError::TeethTooLow`] where the curve is so large that its rounding hides the teeth.
     pub fn of(tooth: Arc<Body>, space: Arc<Body>, curve: Arc<NeutralCurve>) -> Result<Self, GeometryError> {
         let (z_f, z_c) = (tooth.profile().gear.teeth, space.profile().gear.teeth);
         if z_c <= z_f || (z_c - z_f) % 2 != 0 {
             return Err(GeometryError::TeethDoNotMesh { flexspline: z_f, circular_spline: z_c });
         }
+        tooth.profile().gear.check_height_at(curve.radius())?;
         let motion = ToothMotion {
             pitch: curve.perimeter() / f64::from(z_f),
             space_angle: 2.0 * PI / f64::from(z_c),

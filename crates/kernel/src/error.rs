@@ -8,6 +8,7 @@ pub enum GeometryError {
     NotFinite { what: &'static str },
     NotPositive { what: &'static str, value_mm: f64 },
     TooFewTeeth { teeth: u32, least: u32 },
+    TeethTooLow { height_mm: f64, radius_mm: f64 },
     EmptyChain,
     BadSegment { segment: usize, length_mm: f64 },
     ArcTooLong { segment: usize, sweep_rad: f64 },
@@ -35,6 +36,7 @@ impl GeometryError {
             Self::NotFinite { .. } => "not-finite",
             Self::NotPositive { .. } => "not-positive",
             Self::TooFewTeeth { .. } => "too-few-teeth",
+            Self::TeethTooLow { .. } => "teeth-too-low",
             Self::EmptyChain => "empty-chain",
             Self::BadSegment { .. } => "bad-segment",
             Self::ArcTooLong { .. } => "arc-too-long",
@@ -63,6 +65,9 @@ impl GeometryError {
             Self::NotPositive { value_mm, .. } => vec![("value_mm", value_mm)],
             Self::TooFewTeeth { teeth, least } => {
                 vec![("teeth", teeth.into()), ("least", least.into())]
+            }
+            Self::TeethTooLow { height_mm, radius_mm } => {
+                vec![("height_mm", height_mm), ("radius_mm", radius_mm)]
             }
             Self::BadSegment { segment, length_mm } => {
                 vec![("segment", index(segment)), ("length_mm", length_mm)]
@@ -124,6 +129,10 @@ impl fmt::Display for GeometryError {
             Self::TooFewTeeth { teeth, least } => {
                 write!(f, "{teeth} teeth are too few; at least {least} are needed")
             }
+            Self::TeethTooLow { height_mm, radius_mm } => write!(
+                f,
+                "teeth {height_mm:.4e} mm high on a circle of radius {radius_mm:.4e} mm are too low for where they lie to be known"
+            ),
             Self::EmptyChain => write!(f, "the flank has no pieces"),
             Self::BadSegment { segment, length_mm } => {
                 write!(f, "piece {segment} has length {length_mm:.4} mm; it must be greater than 0")

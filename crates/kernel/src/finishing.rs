@@ -10,11 +10,6 @@ use crate::segment::Segment;
 
 /// Ends that lie closer than this fraction of the tooth height are one point.
 const JOIN: f64 = 1e-9;
-/// An arc's points are known to about this share (2⁻⁵³) of its radius, for they are found from its centre.
-const ROUNDING: f64 = 0.5 * f64::EPSILON;
-/// They must be known to this share of the tooth height. Only an arc longer than the tooth is high can be flatter
-/// without being kept as its chord.
-const KNOWN: f64 = 1e-7;
 /// Below this angle between normals (rad) a join is smooth.
 pub const SMOOTH: f64 = 1e-9;
 /// Far fewer teeth make no strain wave gear, and three pitches of root floor must stay below half a turn.
@@ -25,7 +20,7 @@ type Pieces = Vec<(Segment, Role)>;
 /// See [`Profile::new`](crate::Profile::new).
 pub fn finish(gear: &Gear, flank: &[Segment], offset: f64, fillet_radius: f64) -> Result<Pieces, GeometryError> {
     check_gear(gear)?;
-    check_chain(flank, gear.addendum + gear.dedendum)?;
+    check_chain(gear, flank)?;
     for (what, value) in [("offset", offset), ("fillet radius", fillet_radius)] {
         if !value.is_finite() {
             return Err(GeometryError::NotFinite { what });
@@ -34,7 +29,7 @@ pub fn finish(gear: &Gear, flank: &[Segment], offset: f64, fillet_radius: f64) -
     let mut flank = offset_chain(flank, offset)?;
     let tip_angle = cut_at_tip(gear, &mut flank)?;
     // A fillet too small to be told from a corner is one.
-    let fillet = if fillet_radius > (gear.addendum + gear.dedendum) * JOIN {
+    let fillet = if fillet_radius > gear.height() * JOIN {
         Some(fit_fillet(gear, &mut flank, fillet_radius)?)
     } else {
         cut_at_root(gear, &mut flank)?;
@@ -58,7 +53,7 @@ pub fn finish(gear: &Gear, flank: &[Segment], offset: f64, fillet_radius: f64) -
 fn check_gear(gear: &Gear) -> Result<(), GeometryError> {
     for (what, value) in [
         ("pitch radius", gear.pitch_radius),
-        ("addendum + dedendum", gear.addendum + gear.dedendum),
+        ("addendum + dedendum", gear.height()),
         ("tip radius", gear.side() * gear.signed_tip_radius()),
         ("root radius", gear.side() * gear.signed_root_radius()),
     ] {
@@ -72,11 +67,11 @@ fn check_gear(gear: &Gear) -> Result<(), GeometryError> {
     if gear.teeth < LEAST_TEETH {
         return Err(GeometryError::TooFewTeeth { teeth: gear.teeth, least: LEAST_TEETH });
     }
-    Ok(())
+    gear.check_height_at(gear.pitch_radius)
 }
 
-fn check_chain(flank: &[Segment], height: f64) -> Result<(), GeometryError> {
-    let join = height * JOIN;
+fn check_chain(gear: &Gear, flank: &[Segment]) -> Result<(), GeometryError> {
+    let join = gear.height() * JOIN;
     if flank.is_empty() {
         return Err(GeometryError::EmptyChain);
     }
@@ -90,7 +85,8 @@ fn check_chain(flank: &[Segment], height: f64) -> Result<(), GeometryError> {
             return Err(GeometryError::BadSegment { segment: index, length_mm: length });
         }
         match segment {
-            Segment::Arc(arc) if arc.radius.abs() * ROUNDING > height * KNOWN => {
+            // Only an arc longer than the tooth is high can be so flat without being kept as its chord.
+            Segment::Arc(arc) if !gear.can_place_at(arc.radius) => {
                 return Err(GeometryError::RadiusTooLarge { segment: index, radius_mm: arc.radius });
             }
             _ => check_sweep(index, segment)?,
@@ -239,7 +235,7 @@ fn check_simple(pieces: &[(Segment, Role)]) -> Result<(), GeometryError> {
 
 /// Between land and floor no piece may leave the sector from the tooth's axis to mid-space between the two circles.
 fn check_sector(gear: &Gear, pieces: &[(Segment, Role)]) -> Result<(), GeometryError> {
-    let slack = (gear.addendum + gear.dedendum) * JOIN + gear.pitch_radius * 1e-14;
+    let slack = gear.height() * JOIN + gear.pitch_radius * 1e-14;
     let (root, tip) = (gear.signed_root_radius(), gear.signed_tip_radius());
     let ray = |angle: f64| {
         let outward = Point::at_angle(gear.side() * angle);

@@ -2,8 +2,14 @@
 
 use std::f64::consts::PI;
 
+use crate::error::GeometryError;
 use crate::point::Point;
 use crate::segment::Segment;
+
+/// What is found from a centre is known to about this share (2⁻⁵³) of its distance from there.
+const ROUNDING: f64 = 0.5 * f64::EPSILON;
+/// Points must be known to this share of the tooth height.
+const KNOWN: f64 = 1e-7;
 
 /// What a tooth profile needs to know of its gear.
 ///
@@ -23,6 +29,25 @@ impl Gear {
     /// +1 for the flexspline, −1 for the circular spline.
     pub const fn side(&self) -> f64 {
         if self.internal { -1.0 } else { 1.0 }
+    }
+
+    /// Height of the tooth.
+    pub fn height(&self) -> f64 {
+        self.addendum + self.dedendum
+    }
+
+    /// Whether points found from a centre so far away are known well enough on this tooth.
+    pub(crate) fn can_place_at(&self, radius: f64) -> bool {
+        radius.abs() * ROUNDING <= self.height() * KNOWN
+    }
+
+    /// # Errors
+    /// [`GeometryError::TeethTooLow`] where teeth on a circle of this radius would be lost in its rounding.
+    pub(crate) fn check_height_at(&self, radius: f64) -> Result<(), GeometryError> {
+        if self.can_place_at(radius) {
+            return Ok(());
+        }
+        Err(GeometryError::TeethTooLow { height_mm: self.height(), radius_mm: radius })
     }
 
     /// The gear's centre in the tooth frame.

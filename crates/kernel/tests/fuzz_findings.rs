@@ -4,9 +4,9 @@ mod common;
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use common::{Tooth, assert_near, cosine, flexspline, polar};
+use common::{Tooth, assert_near, circular_spline, cosine, flexspline, polar};
 use strainwave_kernel::{
-    GeometryError, NeutralCurve, NeutralCurveModel, Point, Profile, RingPiece, RingShape, Segment,
+    Engagement, Gear, GeometryError, NeutralCurve, NeutralCurveModel, Point, Profile, RingPiece, RingShape, Segment,
 };
 
 #[test]
@@ -102,6 +102,25 @@ fn an_arc_whose_place_rounding_hides_is_none() {
         assert!((pair[1].start() - pair[0].end()).norm() < 1e-9 * height, "{pair:?}");
     }
     assert!(matches!(profile(2e9 * height), Err(GeometryError::RadiusTooLarge { segment: 0, .. })));
+}
+
+/// On a pitch circle of 1e51 mm pursuit and the clear way had different gaps: all points of the circle were one.
+#[test]
+fn teeth_that_the_rounding_of_their_circle_hides_are_none() {
+    let tooth = flexspline();
+    let height = tooth.gear.addendum + tooth.gear.dedendum;
+    let on_pitch_circle = |radius: f64| Tooth { gear: Gear { pitch_radius: radius, ..tooth.gear }, ..flexspline() };
+    assert!(on_pitch_circle(5e8 * height).profile().is_ok());
+    let refused = on_pitch_circle(1e9 * height).profile();
+    assert!(matches!(refused, Err(GeometryError::TeethTooLow { .. })), "{refused:?}");
+
+    let on_curve = |radius: f64| {
+        let shape = RingShape::Harmonics(vec![0.0, 1.0]);
+        let curve = polar(radius, 0.848, NeutralCurveModel::FirstOrder, shape).unwrap();
+        Engagement::new(tooth.profile().unwrap(), circular_spline().profile().unwrap(), curve)
+    };
+    assert!(on_curve(5e8 * height).is_ok());
+    assert!(matches!(on_curve(1e9 * height), Err(GeometryError::TeethTooLow { .. })));
 }
 
 #[test]
