@@ -123,12 +123,23 @@ impl Search<'_> {
     /// Whether the depth can be greater between two stops than at both.
     ///
     /// Between them it is the lesser of a rising and a falling function, the least of the rising and of the falling dᵢ. If
-    /// the nearest piece at the far end has come with rising depth, the rising one is the lesser all the way: its greatest
+    /// what is nearest at the far end has come with rising depth, the rising one is the lesser all the way: its greatest
     /// value is at that end. The same goes for the near end and falling depth.
     fn rises_inside(&self, piece: &Segment, low: &Stop, high: &Stop) -> bool {
-        let depth =
-            |stop: &Stop, u: f64| self.body.segments()[stop.nearest.segment].nearest(piece.point(u)).distance.abs();
+        let depth = |stop: &Stop, u: f64| self.depth_below(&stop.nearest, piece.point(u));
         depth(high, low.u) > -high.nearest.value && depth(low, high.u) > -low.nearest.value
+    }
+
+    /// How deep `p` lies below the line, the circle or the end of a piece that is nearest to another point. The distance
+    /// from the piece would not do: beyond the centre of a convex arc it rises from one end and falls to the other.
+    fn depth_below(&self, nearest: &SignedDistance, p: Point) -> f64 {
+        let piece = &self.body.segments()[nearest.segment];
+        match (nearest.place, piece) {
+            (Place::Start, _) => (p - piece.start()).norm(),
+            (Place::End, _) => (p - piece.end()).norm(),
+            (Place::Interior, Segment::Arc(arc)) => -arc.height(p),
+            (Place::Interior, Segment::Line(line)) => -line.height(p),
+        }
     }
 
     /// Bisection for the summit of the depth between two stops.

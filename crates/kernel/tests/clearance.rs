@@ -42,6 +42,20 @@ fn any_variation() -> impl Strategy<Value = Variation> {
     })
 }
 
+/// The case study with a flexspline's flank of equal convex arcs, of radius `bulge` half chords, with corners between.
+fn scalloped(scallops: u32, bulge: f64) -> Engagement {
+    let (top, bottom) = (Point::new(0.4, 0.8), Point::new(0.75, -1.1));
+    let chord = (bottom - top) * (1.0 / f64::from(scallops));
+    let radius = bulge * 0.5 * chord.norm();
+    let half_turn = (1.0 / bulge).asin();
+    let normal_angle = (-chord.y).atan2(chord.x) - half_turn;
+    let scallop = |i| Segment::new(top + chord * f64::from(i), normal_angle, 1.0 / radius, 2.0 * half_turn * radius);
+    let flank: Vec<Segment> = (0..scallops).map(scallop).collect();
+    let profile = Profile::new(flexspline().gear, &flank, 0.0, 0.0).unwrap();
+    let of_study = case_study();
+    Engagement::new(profile, of_study.circular_spline().clone(), of_study.curve().clone()).unwrap()
+}
+
 /// The least signed distance of sampled points of one outline from the other body, and the widest step.
 fn sampled(outline: &Outline, body: &Outline, reach: f64) -> (f64, f64) {
     let mut least = f64::INFINITY;
@@ -359,5 +373,23 @@ fn a_difference_of_four_teeth_meets_every_space() {
     for i in 0..1020 {
         let k = step * f64::from(i);
         assert!((gap(k + step) - gap(k)).abs() <= engagement.bounds().between(k, k + step).slope * step, "at {k}");
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(5120) })]
+
+    /// Deeper than the radius of a convex arc, the nearest point jumps from one end of it to the other.
+    #[test]
+    fn the_mirror_swaps_the_flanks_of_a_scalloped_tooth(
+        scallops in 3..9_u32, bulge in 1.3..2.5_f64, x in 0.25..0.6_f64, y in -0.6..0.3, angle in -0.3..0.3_f64,
+    ) {
+        let engagement = scalloped(scallops, bulge);
+        for x in [x, -x] {
+            let pose = Pose::new(Point::new(x, y), angle);
+            let mirrored = Pose::new(Point::new(-x, y), -angle);
+            let (one, other) = (engagement.clearances(&pose), engagement.clearances(&mirrored));
+            prop_assert!((one.left.gap - other.right.gap).abs() < 1e-12, "{one:?} {other:?}");
+        }
     }
 }
