@@ -1,9 +1,10 @@
 //! How deep a piece of one outline lies inside another body.
 //!
-//! Inside a body the signed distance is −minᵢ dᵢ over the body's pieces i. Along one piece of the other outline every
-//! dᵢ is monotone between the places where it is stationary, and these are known in closed form. Between two neighbouring
-//! such places min dᵢ rises to at most one summit, where the nearest piece changes: a point of the body's
-//! bisector, found by bisection on whether the depth still grows.
+//! Inside a body the signed distance is −minᵢ dᵢ over the body's pieces i, and each dᵢ is the distance from the piece's
+//! line or circle or from one of its ends. Along one piece of the other outline every such distance is monotone between
+//! the places where it is stationary, and these are known in closed form. Between two neighbouring such places min dᵢ
+//! rises to at most one summit, where what is nearest changes: a point of the body's bisector, found by bisection on
+//! whether the depth still grows.
 
 use std::ops::Range;
 
@@ -122,9 +123,9 @@ impl Search<'_> {
 
     /// Whether the depth can be greater between two stops than at both.
     ///
-    /// Between them it is the lesser of a rising and a falling function, the least of the rising and of the falling dᵢ. If
-    /// what is nearest at the far end has come with rising depth, the rising one is the lesser all the way: its greatest
-    /// value is at that end. The same goes for the near end and falling depth.
+    /// Between them it is the lesser of a rising and a falling function, the least of the rising distances and of the
+    /// falling ones. If what is nearest at the far end has come with rising depth, the rising one is the lesser all the
+    /// way: its greatest value is at that end. The same goes for the near end and falling depth.
     fn rises_inside(&self, piece: &Segment, low: &Stop, high: &Stop) -> bool {
         let depth = |stop: &Stop, u: f64| self.depth_below(&stop.nearest, piece.point(u));
         depth(high, low.u) > -high.nearest.value && depth(low, high.u) > -low.nearest.value
