@@ -36,7 +36,8 @@ pub struct Pursuit {
     way: Way,
     /// The pair that was closest at the last poses: row and place in the row.
     last: (usize, usize),
-    /// The gap at the last pose, and the way travelled to it.
+    /// The gap at the last pose, 0 or less where outlines overlap and infinite where it is not known, and the way
+    /// travelled to it.
     arrived: (f64, Way),
     /// No point that counts lies farther from the tooth's origin.
     reach: f64,
@@ -176,9 +177,9 @@ impl WithSimd for Gaps<'_> {
             }
             let ways = Ways::to(simd, self.pursuit, poses);
             let found = closest(self.pursuit, &Poses::new(simd, poses), &ways, None);
-            self.pursuit.arrived = (found[poses.len() - 1], self.pursuit.way);
             let Pursuit { engagement, flanks, .. } = &*self.pursuit;
             self.gaps.extend(poses.iter().zip(found).map(|(pose, gap)| engagement.settled(pose, gap, flanks)));
+            self.pursuit.arrived = (self.gaps[self.gaps.len() - 1], self.pursuit.way);
         }
     }
 }
@@ -199,13 +200,14 @@ impl<F: FnMut(&[Pose], Option<&[Pair]>)> WithSimd for Near<'_, F> {
         for poses in self.poses.chunks(S::F64_LANES) {
             let ways = Ways::to(simd, self.pursuit, poses);
             let found = closest(self.pursuit, &Poses::new(simd, poses), &ways, Some(self.nearness));
-            self.pursuit.arrived = (found[poses.len() - 1], self.pursuit.way);
             let Pursuit { engagement, flanks, near, .. } = &*self.pursuit;
-            // Of concentric arcs nothing is known, though they may be apart.
+            // Of concentric arcs, and of features that have passed each other, nothing is known, though they may be apart.
             let is_unknown =
                 |(pose, gap): (&Pose, f64)| gap == f64::NEG_INFINITY && engagement.settled(pose, gap, flanks) > 0.0;
             let is_known = !poses.iter().zip(found).any(is_unknown);
             (self.each)(poses, is_known.then_some(&near[..]));
+            let gap = if is_known { found[poses.len() - 1] } else { f64::INFINITY };
+            self.pursuit.arrived = (gap, self.pursuit.way);
         }
     }
 }
