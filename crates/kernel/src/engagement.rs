@@ -18,7 +18,7 @@ use crate::profile::{Profile, Role};
 use crate::segment::Segment;
 
 /// A tooth in the middle between two spaces, up to this share, counts to the first of them.
-const MIDDLE: f64 = 1e-9;
+pub(crate) const MIDDLE: f64 = 1e-9;
 
 /// Something for each flank of a flexspline tooth; right is the half x > 0 of the tooth, its clockwise side.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -99,6 +99,30 @@ impl<'a> GapCurve<'a> {
         Some(gaps)
     }
 
+    /// Whether the tooth may pass from space to space before it has moved by `way` (mm).
+    ///
+    /// The curve of one flank is taken to stay in its space.
+    pub fn may_pass(&self, sample: &Sample, way: f64) -> bool {
+        self.flanks.len() > 1 && self.engagement.room_in_space(&sample.pose) < way
+    }
+
+    /// The least gap at a sample, as seen from all spaces that the tooth may reach before it has moved by `way` (mm): -∞
+    /// where those are more than the next ones, `None` where nobody wants the curve any more.
+    pub fn least_of_spaces(&mut self, sample: &Sample, way: f64) -> Option<f64> {
+        let seen_from = |clockwise| self.engagement.seen_from_space(&sample.pose, clockwise);
+        let is_reached = |tooth: &Pose| self.engagement.room_in_space(tooth) > -way;
+        if [-2.0, 2.0].map(seen_from).iter().any(is_reached) {
+            return Some(f64::NEG_INFINITY);
+        }
+        // In the middle between two spaces at the minor axis: the mirror image of what is seen from the other one.
+        if sample.index == self.engagement.quarter() && self.engagement.room_in_space(&sample.pose) <= 0.0 {
+            return Some(sample.gap);
+        }
+        let next: Vec<Pose> = [-1.0, 1.0].map(seen_from).into_iter().filter(is_reached).collect();
+        let gaps = self.pursued(&next, vec![f64::NAN; next.len()])?;
+        Some(gaps.into_iter().fold(sample.gap, f64::min))
+    }
+
     /// See [`Engagement::distribution`]; `None` where it was cancelled.
     pub fn distribution(&mut self) -> Option<Vec<(f64, f64)>> {
         let samples = self.samples(&self.engagement.indices())?;

@@ -10,6 +10,10 @@
 //! Witnesses at any index of the interval lie, seen from one of its ends, within L h/2 of where they were there. So two
 //! corners farther apart than gap + L h exclude corner on corner; and in an overlap, where the nearest piece of a body
 //! may change at a corner (an upward kink), the second bound is used only after [`free_of_ties`] has excluded that.
+//!
+//! Where a tooth passes from one space to the next the gap may jump, for each flank then counts another tooth of the
+//! circular spline. Seen from one space it does not: where a tooth may pass, the bound is gap ≥ g₁ − L h, with g₁ the least
+//! of the gaps seen from the spaces in question.
 
 use crate::cancellation::IsCancelled;
 use crate::circumferential::{MOST_STEPS_IN_MOTION, turn_to_contact};
@@ -133,7 +137,11 @@ impl GapCurve<'_> {
         let [start, end] = ends.map(|end| samples[end]);
         let width = end.index - start.index;
         let bounds = self.engagement().bounds().between(start.index, end.index);
-        let [by_slope, highest] = [-1.0, 1.0].map(|sign| 0.5 * (start.gap + end.gap + sign * bounds.slope * width));
+        let way = bounds.slope * width;
+        if [start, end].iter().any(|sample| self.may_pass(sample, 0.5 * way)) {
+            return Some(Interval { ends, lower_bound: self.least_of_spaces(&end, way)? - way });
+        }
+        let [by_slope, highest] = [-1.0, 1.0].map(|sign| 0.5 * (start.gap + end.gap + sign * way));
         let by_curvature = above_parabola(start.gap, end.gap, bounds.curvature([by_slope, highest]) * width * width);
         // The proof of smoothness costs; it is sought only where it settles the interval.
         let settles = by_slope < target && by_curvature >= target;

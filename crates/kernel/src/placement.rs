@@ -2,7 +2,7 @@
 
 use pulp::{Arch, Scalar, Simd, WithSimd};
 
-use crate::engagement::Engagement;
+use crate::engagement::{Engagement, MIDDLE};
 use crate::lanes::{Lanes, WIDEST};
 use crate::point::Point;
 use crate::points::Poses;
@@ -68,6 +68,19 @@ impl Engagement {
         let gamma = self.motion().space_angle;
         let passed = (tooth.origin.angle() / gamma).round();
         Pose::rotation(-passed * gamma).after(tooth).shifted(self.center())
+    }
+
+    /// How far (mm) the origin of a tooth, at a pose in the frame of a space, stands from where the next spaces begin;
+    /// where it is beyond, less than 0, and no less than its distance from the space.
+    pub(crate) fn room_in_space(&self, tooth: &Pose) -> f64 {
+        let (origin, half_space) = (tooth.origin - self.center(), self.motion().half_space);
+        // In the middle between two spaces there is no room in either.
+        ((1.0 - 2.0 * MIDDLE) * half_space * origin.y - origin.x.abs()) / (1.0 + half_space * half_space).sqrt()
+    }
+
+    /// A pose in the frame of a space as seen from the space that is so many clockwise of it.
+    pub(crate) fn seen_from_space(&self, tooth: &Pose, clockwise: f64) -> Pose {
+        tooth.turned_about(self.center(), -clockwise * self.motion().space_angle)
     }
 
     /// Relative poses of some indices, given the rotation that takes each index's space to the major axis.
