@@ -20,6 +20,9 @@ use crate::segment::Segment;
 /// A tooth in the middle between two spaces, up to this share, counts to the first of them.
 pub(crate) const MIDDLE: f64 = 1e-9;
 
+/// Rounding may hide the crossing of outlines that overlap by less than this share of their distance from the axis.
+const HIDDEN: f64 = 1e-12;
+
 /// Something for each flank of a flexspline tooth; right is the half x > 0 of the tooth, its clockwise side.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FlankPair<T> {
@@ -141,7 +144,9 @@ impl Engagement {
         let tooth = self.tooth().posed(tooth);
         let least = |gap: &dyn Fn(Flank) -> f64| flanks.iter().map(|&flank| gap(flank)).fold(f64::INFINITY, f64::min);
         let deepest = least(&|flank| self.overlap_gap(&tooth, flank));
-        if deepest < 0.0 { deepest } else { least(&|flank| self.flank(&tooth, flank).gap) }
+        // What is less deep may be a touch or a gap, as the clear way decides.
+        let is_deep = deepest < -HIDDEN * self.farthest();
+        if is_deep { deepest } else { least(&|flank| self.flank(&tooth, flank).gap) }
     }
 
     /// The indices of the teeth that are not mirror images of others: 0, 1, … up to a quarter of the flexspline's teeth,

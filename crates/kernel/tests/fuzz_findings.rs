@@ -90,7 +90,7 @@ fn an_arc_that_is_nearly_a_line_ends_where_the_line_does() {
 #[test]
 fn an_arc_whose_place_rounding_hides_is_none() {
     let tooth = flexspline();
-    let height = tooth.gear.addendum + tooth.gear.dedendum;
+    let height = tooth.gear.height();
     let (start, angle) = (Point::new(0.5, 0.8), FRAC_PI_2 - 0.1);
     let profile = |radius: f64| {
         // So long that it is no line for the kernel; the root circle cuts it.
@@ -108,7 +108,7 @@ fn an_arc_whose_place_rounding_hides_is_none() {
 #[test]
 fn teeth_that_the_rounding_of_their_circle_hides_are_none() {
     let tooth = flexspline();
-    let height = tooth.gear.addendum + tooth.gear.dedendum;
+    let height = tooth.gear.height();
     let on_pitch_circle = |radius: f64| Tooth { gear: Gear { pitch_radius: radius, ..tooth.gear }, ..flexspline() };
     assert!(on_pitch_circle(5e8 * height).profile().is_ok());
     let refused = on_pitch_circle(1e9 * height).profile();
