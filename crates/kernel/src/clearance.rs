@@ -84,7 +84,8 @@ pub fn clearance(
             if outside {
                 return witness;
             }
-            Clearance { gap: 0.0, ..witness }
+            // It stands where nothing is deep: a touch, or a body beyond those ends.
+            witness
         }
         // One inside the other may face nothing.
         Closest::Nothing => crossing_witness(first, first_pieces.start, second, second_pieces.start, Point::default()),
