@@ -123,14 +123,19 @@ impl Batch {
         question: &Question,
         is_cancelled: IsCancelled,
     ) -> Option<Vec<Result<Metrics, GeometryError>>> {
-        let flexspline = shared(&self.flexsplines, |spec| spec.build().map(Body::flexspline));
-        let circular_spline = shared(&self.circular_splines, |spec| spec.build().map(Body::circular_spline));
-        let curve = shared(&self.curves, CurveSpec::build);
-        let row = |row: usize| {
+        let common = Common {
+            flexspline: shared(&self.flexsplines, |spec| spec.build().map(Body::flexspline)),
+            circular_spline: shared(&self.circular_splines, |spec| spec.build().map(Body::circular_spline)),
+            curve: shared(&self.curves, |spec| spec.build(None)),
+            shape: None,
+        };
+        let row = |common: &Common, row: usize| {
+            let flexspline = |spec: &ProfileSpec| spec.build().map(Body::flexspline);
+            let circular_spline = |spec: &ProfileSpec| spec.build().map(Body::circular_spline);
             Engagement::of(
-                part(&flexspline, &self.flexsplines, row, |spec| spec.build().map(Body::flexspline))?,
-                part(&circular_spline, &self.circular_splines, row, |spec| spec.build().map(Body::circular_spline))?,
-                part(&curve, &self.curves, row, CurveSpec::build)?,
+                part(&common.flexspline, &self.flexsplines, row, flexspline)?,
+                part(&common.circular_spline, &self.circular_splines, row, circular_spline)?,
+                part(&common.curve, &self.curves, row, |spec| spec.build(common.shape.as_ref()))?,
             )
         };
         let answer = |engagement: &Result<Engagement, GeometryError>, vicinity: Option<&mut Vicinity>| {
@@ -148,10 +153,11 @@ impl Batch {
             engagement.answers(&mut curve.until(is_cancelled), question).map(Ok)
         };
         if Self::is_small(self.rows) {
-            return (0..self.rows).map(|index| answer(&row(index), None)).collect();
+            return (0..self.rows).map(|index| answer(&row(&common, index), None)).collect();
         }
         let cell = |rows: &mut [usize]| {
-            let engagements: Vec<_> = rows.iter().map(|&index| row(index)).collect();
+            let common = common.copied(self.shared_shape());
+            let engagements: Vec<_> = rows.iter().map(|&index| row(&common, index)).collect();
             let mut built = engagements.iter().flatten();
             let mut vicinity =
                 built.clone().nth(built.clone().count() / 2).map(|center| Vicinity::new(center, &mut built));
@@ -168,9 +174,54 @@ impl Batch {
         }
         in_order.into_iter().collect()
     }
+
+    /// The shape that the first row may share with others, where each has a curve of its own.
+    fn shared_shape(&self) -> Option<&Arc<SampledShape>> {
+        match &self.curves {
+            Column::Same(_) => None,
+            Column::Each(specs) => match &specs.first()?.form {
+                CurveForm::Polar(_, Shape::Shared(Ok(shape))) => Some(shape),
+                _ => None,
+            },
+        }
+    }
 }
 
 type Shared<T> = Option<Result<Arc<T>, GeometryError>>;
+
+/// What all rows have in common.
+struct Common {
+    flexspline: Shared<Body>,
+    circular_spline: Shared<Body>,
+    curve: Shared<NeutralCurve>,
+    shape: Option<CopiedShape>,
+}
+
+/// A shape of the rows, and what is taken instead.
+struct CopiedShape {
+    original: Arc<SampledShape>,
+    copy: Arc<SampledShape>,
+}
+
+impl Common {
+    /// A copy with counts of references of its own: threads that count those of the same parts wait for each other.
+    fn copied(&self, shape: Option<&Arc<SampledShape>>) -> Self {
+        let shape = shape.map(|original| {
+            let copy = Arc::new(original.copied());
+            CopiedShape { original: Arc::clone(original), copy }
+        });
+        Self {
+            flexspline: copied(&self.flexspline),
+            circular_spline: copied(&self.circular_spline),
+            curve: copied(&self.curve),
+            shape,
+        }
+    }
+}
+
+fn copied<T: Clone>(shared: &Shared<T>) -> Shared<T> {
+    shared.as_ref().map(|built| built.as_deref().map(|part| Arc::new(part.clone())).map_err(Clone::clone))
+}
 
 /// The part of the whole batch, if there is one.
 fn shared<S, T>(column: &Column<S>, build: impl Fn(&S) -> Result<T, GeometryError>) -> Shared<T> {
@@ -201,19 +252,17 @@ impl ProfileSpec {
 }
 
 impl CurveSpec {
-    fn build(&self) -> Result<NeutralCurve, GeometryError> {
+    fn build(&self, copied: Option<&CopiedShape>) -> Result<NeutralCurve, GeometryError> {
         match &self.form {
-            CurveForm::Polar(model, shape) => NeutralCurve::polar(self.radius, self.w0, *model, &shape.sampled()?),
+            CurveForm::Polar(model, Shape::Shared(shape)) => {
+                let shape = shape.as_ref().map_err(Clone::clone)?;
+                let copied = copied.filter(|copied| Arc::ptr_eq(&copied.original, shape));
+                NeutralCurve::polar(self.radius, self.w0, *model, copied.map_or(shape, |copied| &copied.copy))
+            }
+            CurveForm::Polar(model, Shape::Own(shape)) => {
+                NeutralCurve::polar(self.radius, self.w0, *model, &Arc::new(shape.clone().sampled()?))
+            }
             CurveForm::Ellipse { offset } => NeutralCurve::ellipse(self.radius, self.w0, *offset),
-        }
-    }
-}
-
-impl Shape {
-    fn sampled(&self) -> Result<Arc<SampledShape>, GeometryError> {
-        match self {
-            Self::Shared(sampled) => sampled.clone(),
-            Self::Own(shape) => shape.clone().sampled().map(Arc::new),
         }
     }
 }

@@ -146,6 +146,13 @@ pub struct SampledShape {
     pub(crate) at_ends: [Vec<f64>; 3],
 }
 
+impl SampledShape {
+    /// The same, with panels of its own.
+    pub(crate) fn copied(&self) -> Self {
+        Self { panels: Arc::new(Panels::clone(&self.panels)), ..self.clone() }
+    }
+}
+
 impl RingPiece {
     fn at(&self, phi: f64) -> [f64; 3] {
         let coefficients = [self.p, self.c, self.c_phi, self.s, self.s_phi];
