@@ -6,6 +6,7 @@ use strainwave_kernel::{Clearance, ContactKind, Engagement, FlankPair, NEVER, Po
 use super::brute_force::Mesh;
 use super::design;
 use super::draw::Draw;
+use super::profile::rounding_of_arcs;
 
 /// Poses farther away than this many pitches need only be survived: their squares overflow.
 const FARTHEST: f64 = 1e6;
@@ -120,7 +121,8 @@ fn check_normal(engagement: &Engagement, found: &Clearance, tolerance: f64) {
 fn check_samples(engagement: &Engagement, pose: &Pose, found: &FlankPair<Clearance>) {
     let mesh = Mesh::new(engagement.flexspline(), engagement.circular_spline());
     // The bodies here and there may differ by the joins that a profile leaves open.
-    let margin = 1e-8 * pitch(engagement) + rounding(engagement);
+    let arcs = [engagement.flexspline(), engagement.circular_spline()].map(rounding_of_arcs);
+    let margin = 1e-8 * pitch(engagement) + rounding(engagement) + arcs[0] + arcs[1];
     for (gap, [low, high]) in [found.left.gap, found.right.gap].into_iter().zip(mesh.brackets(pose, SAMPLES)) {
         assert!(gap >= low - margin && gap <= high + margin, "{gap} is not in {low} … {high} at {pose:?}");
     }

@@ -35,13 +35,18 @@ fn disturb(draw: &mut Draw, tooth: &mut Tooth) {
     }
 }
 
+/// What the rounding of its flattest arc between land and floor may cost (mm).
+pub fn rounding_of_arcs(profile: &Profile) -> f64 {
+    let segments = profile.segments();
+    let arcs = segments[1..segments.len() - 1].iter().map(Segment::curvature).filter(|&curvature| curvature != 0.0);
+    ROUNDING_OF_ARCS * arcs.map(|curvature| 1.0 / curvature.abs()).fold(0.0, f64::max)
+}
+
 fn check_profile(profile: &Profile) {
     let gear = &profile.gear;
     let segments = profile.segments();
     // An arc's rounding reaches all that stands on it: corners, fillet and floor.
-    let arcs = segments[1..segments.len() - 1].iter().map(Segment::curvature).filter(|&curvature| curvature != 0.0);
-    let greatest_radius = arcs.map(|curvature| 1.0 / curvature.abs()).fold(0.0, f64::max);
-    let tolerance = JOIN * gear.height() + ROUNDING * gear.pitch_radius + ROUNDING_OF_ARCS * greatest_radius;
+    let tolerance = JOIN * gear.height() + ROUNDING * gear.pitch_radius + rounding_of_arcs(profile);
 
     assert_eq!(profile.roles().len(), segments.len());
     assert_eq!(profile.roles()[0], Role::TipLand);
