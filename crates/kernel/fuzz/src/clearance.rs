@@ -1,6 +1,8 @@
 //! Any engagement and any pose: the clearance is finite and carries its witness, keeps to mirror and Lipschitz, lies where
 //! samples put it; the pursuit over the teeth gives what the clear way gives.
 
+use std::f64::consts::TAU;
+
 use strainwave_kernel::{Clearance, ContactKind, Engagement, FlankPair, NEVER, Point, Pose};
 
 use super::brute_force::Mesh;
@@ -66,7 +68,10 @@ impl<'a> Poses<'a> {
         let place = self.engagement.relative_pose(if index.is_finite() { index } else { 0.0 });
         let push = Point::new(draw.number(-0.3, 0.3) * pitch, draw.number(-0.15, 0.3) * pitch);
         let pose = Pose::new(place.origin + push, place.angle() + draw.number(-0.15, 0.15));
-        let within = pose.origin.x.abs() < 0.8 * pitch && pose.origin.y.abs() < 2.0 * pitch;
+        // The neutral curve may be far from the circular spline, and its pitch with it.
+        let gear = &self.engagement.circular_spline().gear;
+        let spacing = TAU * gear.pitch_radius / f64::from(gear.teeth);
+        let within = pose.origin.x.abs() < 0.8 * spacing && pose.origin.y.abs() < 2.0 * spacing;
         self.near &= within && pose.angle().abs() < 0.4;
         pose
     }
