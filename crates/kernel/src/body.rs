@@ -20,6 +20,7 @@ pub struct Body {
     pieces: [Range<usize>; 2],
     convex_corners: Vec<ConvexCorner>,
     reflex_corners: Vec<Point>,
+    tolerance: f64,
     /// Of the circular spline only.
     teeth: Vec<RingTooth>,
 }
@@ -45,10 +46,11 @@ impl Body {
                 None => reflex_corners.push(outline.segments()[piece].start()),
             }
         }
+        let tolerance = outline.features().iter().map(|feature| feature.tolerance).fold(0.0, f64::max);
         let pieces_of_tooth = outline.segments().len() / TEETH;
         let tooth = |i| RingTooth::new(&outline, i * pieces_of_tooth..(i + 1) * pieces_of_tooth);
         let teeth = if profile.gear.internal { (0..TEETH).map(tooth).collect() } else { vec![] };
-        Self { profile, outline, pieces, convex_corners, reflex_corners, teeth }
+        Self { profile, outline, pieces, convex_corners, reflex_corners, tolerance, teeth }
     }
 
     pub const fn profile(&self) -> &Profile {
@@ -100,6 +102,11 @@ impl Body {
     pub fn reach(&self) -> f64 {
         let [left, right] = &self.pieces;
         self.outline.reach(left.start.min(right.start)..left.end.max(right.end))
+    }
+
+    /// No feature counts beyond its end by more than this (mm); the flattest arc decides. Rounding may hide such depths.
+    pub const fn tolerance(&self) -> f64 {
+        self.tolerance
     }
 
     /// Smallest radius of a convex arc, or infinity.

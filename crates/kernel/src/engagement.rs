@@ -20,9 +20,6 @@ use crate::segment::Segment;
 /// A tooth in the middle between two spaces, up to this share, counts to the first of them.
 pub(crate) const MIDDLE: f64 = 1e-9;
 
-/// Rounding may hide the crossing of outlines that overlap by less than this share of their distance from the axis.
-const HIDDEN: f64 = 1e-12;
-
 /// Something for each flank of a flexspline tooth; right is the half x > 0 of the tooth, its clockwise side.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FlankPair<T> {
@@ -145,7 +142,7 @@ impl Engagement {
         let least = |gap: &dyn Fn(Flank) -> f64| flanks.iter().map(|&flank| gap(flank)).fold(f64::INFINITY, f64::min);
         let deepest = least(&|flank| self.overlap_gap(&tooth, flank));
         // What is less deep may be a touch or a gap, as the clear way decides.
-        let is_deep = deepest < -HIDDEN * self.farthest();
+        let is_deep = deepest < -(self.tooth.tolerance() + self.space.tolerance());
         if is_deep { deepest } else { least(&|flank| self.flank(&tooth, flank).gap) }
     }
 
